@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial, reduce
 from itertools import pairwise
-from math import ceil, floor
+from math import floor
 from typing import NamedTuple
 
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_mpoly, fmpz_poly
@@ -25,7 +25,7 @@ from exactspline.bivariate.borders import EDGES, common_along, roots_along
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, shifted, sign_of_ball
+from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, shifted
 from exactspline.numbers.once import cached_property
 from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolated, isolate
@@ -37,7 +37,7 @@ from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, real
-from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in, sign_of_number
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 
@@ -153,7 +153,8 @@ class CommonZero:
         if self.isolated is not None:
             return self.isolated.refine(bits)
         # with short ends, because the ends of the interval of a root may have thousands of digits
-        first, second = (_rounded(side, bits + 1) for side in _around(self.local, bits * 30103 // 100000 + 2))
+        near, unit = _around(self.local, bits * 30103 // 100000 + 2), mpq(1, 2 << bits)
+        first, second = (side.outward(unit) if side.low < side.high else side for side in near)
         return Box(first, second)
 
     def box(self, digits: int) -> Box:
@@ -205,14 +206,6 @@ def _real(zero: CommonZero, k: int) -> Real:
 def _around(place: Place, digits: int) -> Box:
     first, second = (enclosing(x, digits) for x in place)
     return Box(first, second)
-
-
-def _rounded(side: Interval, bits: int) -> Interval:
-    """An interval around another interval (not a single number), with ends that are multiples of ``2^−bits``."""
-    if side.low == side.high:
-        return side
-    scale = mpq(1 << bits)
-    return Interval(mpq(floor(side.low * scale)) / scale, mpq(ceil(side.high * scale)) / scale)
 
 
 def _moved(place: Place, sides: Sequence[Interval]) -> Place:
@@ -596,11 +589,7 @@ def _sign_over(x: fmpq_poly, s: Parameter) -> int:
     """The sign at a number of a polynomial that is reduced modulo the minimal polynomial."""
     if not x:
         return 0
-    numerator, digits = x.numer(), DIGITS
+    numerator = x.numer()
     if not isinstance(s, Root):
         return sign_of(numerator(to_fmpq(s)))
-    while True:
-        with ctx.workprec(8 * digits + 64):
-            if sign := sign_of_ball(arb_poly(numerator)(ball(s, digits))):
-                return sign
-        digits *= 2
+    return sign_of_number(lambda digits: arb_poly(numerator)(ball(s, digits)))

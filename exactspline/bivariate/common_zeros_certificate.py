@@ -32,8 +32,8 @@ from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import divided_out, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
-from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, powers_of
-from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial, lifted, rows_of
+from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, jacobian_sign
+from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, polynomial_of, rows_of
 from exactspline.reals.real import real
 from exactspline.roots.of_polynomials import Place, as_splines, enclosing
 from exactspline.roots.root import Root
@@ -138,8 +138,7 @@ class _ZeroOnPatch:
     @cached_property
     def polynomials(self) -> list[fmpz_mpoly]:
         """The functions, in the parameters of the unit square."""
-        rows = [powers_of(f) for f in self.forms]
-        return [CONTEXT.from_dict({(i, j): x for i, row in enumerate(p) for j, x in enumerate(row) if x}) for p in rows]
+        return [polynomial_of(f) for f in self.forms]
 
     @cached_property
     def eliminated(self) -> tuple[Projection, list[list[int]], fmpz_poly]:
@@ -209,9 +208,7 @@ class _ZeroOnPatch:
         if self.simple is None:
             return self.is_alone(region)
         pair = self._pair(region)
-        (a, b), (c, d) = ([form.derivative(k).range for k in (0, 1)] for form in pair)
-        straight, across = [x * y for x in a for y in d], [x * y for x in b for y in c]
-        if not (min(straight) > max(across) or max(straight) < min(across)):
+        if not jacobian_sign(*pair):
             return False
         return self.exact is not None or self.edge is not None or self._is_crossed(pair)
 

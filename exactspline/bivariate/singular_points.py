@@ -13,16 +13,15 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import reduce
-from math import ceil, floor
 from typing import NamedTuple
 
-from flint import ctx, fmpz_mpoly, fmpz_poly
+from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.bivariate import common_zeros as elimination
 from exactspline.bivariate.common_zeros import Column, CommonZero, zeros_of
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, Interval, joined, sign_of_ball
+from exactspline.numbers.intervals import UNIT, Box, Interval, joined
 from exactspline.one_line import one_line
 from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.elimination import discriminant
@@ -30,7 +29,7 @@ from exactspline.polynomials.factors import factorize_square_free, greatest_comm
 from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import S, as_polynomial, at, enclosed, over, rows_of
 from exactspline.reals.real import Real, real
-from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in
+from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in, sign_of_number
 from exactspline.roots.vanishing import vanish_at
 
 # ---- cells
@@ -208,19 +207,14 @@ def interval_around(t: Parameter, others: Sequence[Parameter], bits: int) -> Int
     interval is an end of this interval only if it is the number itself.
     """
     width = mpq(1, 1 << bits)
-    near, far = enclosing(t, bits // 3 + 1)
     # sides with few digits, because the ends of the interval of a root may have thousands
-    low, high = (width * floor(near / width), width * ceil(far / width))
-    wide = Interval(low - 3 * width, high + 3 * width)
+    near = enclosing(t, bits // 3 + 1).outward(width)
+    wide = near.grown(3 * width)
     if any(wide.low <= x <= wide.high for x in others):
         return None
     if any(wide.low <= end <= wide.high and t != end for end in UNIT.first):
         return None
-    return Interval(max(mpq(0), low - width), min(mpq(1), high + width))
-
-
-#: The first precision (digits) at which a sign is tried.
-DIGITS = 15
+    return near.grown(width).inside(UNIT.first)
 
 
 class PointKind(StrEnum):
@@ -314,9 +308,4 @@ def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: 
 
 def sign_at_point(p: fmpz_mpoly, zero: elimination.CommonZero) -> int:
     """The sign at a point of a polynomial that is not zero there."""
-    digits = DIGITS
-    while True:
-        with ctx.workprec(8 * digits + 64):
-            if sign := sign_of_ball(enclosed(p, *(ball(x, digits) for x in zero.place))):
-                return sign
-        digits *= 2
+    return sign_of_number(lambda digits: enclosed(p, *(ball(x, digits) for x in zero.place)))

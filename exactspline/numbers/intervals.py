@@ -74,6 +74,10 @@ class Interval(NamedTuple):
         """The interval enlarged by this amount on both sides."""
         return Interval(mpq(self.low - by), mpq(self.high + by))
 
+    def outward(self, unit: mpq) -> Interval:
+        """The smallest interval around this one whose ends are multiples of a unit."""
+        return Interval(self.low // unit * unit, -(-self.high // unit) * unit)
+
     def inside(self, outer: Interval) -> Interval:
         """The part of the interval that lies in another interval, which it meets."""
         return Interval(max(self.low, outer.low), min(self.high, outer.high))

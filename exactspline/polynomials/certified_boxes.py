@@ -304,9 +304,7 @@ def _rounded(part: Interval, side: Interval) -> Interval:
     a degenerate box has no Jacobian.
     """
     pad = max(part.width / 64, side.width / (1 << 48))
-    scale = mpq(1 << int(1 / pad).bit_length())
-    low, high = mpq(((part.low - pad) * scale) // 1) / scale, mpq(-((-(part.high + pad) * scale) // 1)) / scale
-    return Interval(max(side.low, low), min(side.high, high))
+    return part.grown(pad).outward(mpq(1, 1 << int(1 / pad).bit_length())).inside(side)
 
 
 def simplest(low: mpq, high: mpq) -> mpq:

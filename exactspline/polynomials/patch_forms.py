@@ -241,6 +241,18 @@ def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
     return first, second
 
 
+def jacobian_sign(f: PatchForm, g: PatchForm) -> int:
+    """The sign on the square of ``f_x g_y − f_y g_x`` for two forms, as far as bounds of the derivatives prove it; 0
+    where they do not.
+    """
+    (a, b), (c, d) = ([h.slopes(k) for k in (0, 1)] for h in (f, g))
+    first = [x * y for x in a for y in d]
+    second = [x * y for x in b for y in c]
+    if min(first) > max(second):
+        return 1
+    return -1 if max(first) < min(second) else 0
+
+
 def clusters(boxes: Sequence[Box]) -> list[tuple[Box, list[Box]]]:
     """Boxes in groups, each with its bounding box: no horizontal or vertical line separates the boxes of one group.
 

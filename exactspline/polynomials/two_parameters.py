@@ -84,11 +84,15 @@ def _norm_bits(p: fmpz_poly) -> int:
     return (sum(int(x) ** 2 for x in p.coeffs()).bit_length() + 1) // 2
 
 
+def polynomial_of(form: PatchForm) -> fmpz_mpoly:
+    """The form as a polynomial in both parameters."""
+    return CONTEXT.from_dict({(i, j): x for i, row in enumerate(powers_of(form)) for j, x in enumerate(row) if x})
+
+
 def as_polynomial(form: PatchForm) -> fmpz_mpoly:
     """The form as a primitive polynomial in both parameters, up to a positive constant."""
-    rows = powers_of(form)
-    common = common_divisor(x for row in rows for x in row)
-    return CONTEXT.from_dict({(i, j): x // common for i, row in enumerate(rows) for j, x in enumerate(row) if x})
+    p = polynomial_of(form)
+    return p / common_divisor(p.coeffs()) if p else p
 
 
 def over(form: PatchForm, sides: Box) -> fmpz_mpoly:

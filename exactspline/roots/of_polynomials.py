@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
-from flint import arb, fmpz_poly
+from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
-from exactspline.numbers.intervals import Interval, ball_around
+from exactspline.numbers.intervals import Interval, ball_around, sign_of_ball
 from exactspline.polynomials.bernstein import ONE, of_parameter
 from exactspline.polynomials.cost import QUESTION, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free
@@ -25,6 +25,8 @@ Place = tuple[Parameter, Parameter]
 #: The cost of making a form and isolating its roots, in hundredths of a nanosecond per square of the degree and per
 #: bit.
 ISOLATION = 80
+#: The first precision (digits) at which a sign is tried.
+DIGITS = 15
 
 
 def as_splines(polynomials: Sequence[fmpz_poly], a: mpq, b: mpq) -> list[BSpline]:
@@ -63,6 +65,16 @@ def check_isolation(p: fmpz_poly, bits: int = 0) -> None:
 def ball(t: Parameter, digits: int) -> arb:
     """A ball around a parameter; the caller sets FLINT's precision."""
     return ball_around(*(t.refine(digits) if isinstance(t, Root) else (t, t)))
+
+
+def sign_of_number(enclosed: Callable[[int], arb]) -> int:
+    """The sign of a number that is not zero, from balls around it for more and more digits of the parameters."""
+    digits = DIGITS
+    while True:
+        with ctx.workprec(8 * digits + 64):
+            if sign := sign_of_ball(enclosed(digits)):
+                return sign
+        digits *= 2
 
 
 def exactly(t: Parameter) -> Parameter:

@@ -38,8 +38,8 @@ from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolation, isolate
 from exactspline.polynomials.cost import PATCH, Budget, affords, drawing_on, height_bits
 from exactspline.polynomials.factors import greatest_common_divisor
-from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved, powers_of
-from exactspline.polynomials.two_parameters import CONTEXT, as_form, as_polynomial
+from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
+from exactspline.polynomials.two_parameters import as_form, as_polynomial, polynomial_of
 from exactspline.reals.real import Real, between, real, square_root
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
@@ -165,10 +165,7 @@ class RidgeSearch:
         nets = [f.bezier_net(*self.patch) if min(f.degree) >= 0 else [[mpq(0)]] for f in splines]
         integers = iter(over_one_denominator([x for net in nets for row in net for x in row])[0])
         forms = [PatchForm.of_net([[next(integers) for _ in row] for row in net]) for net in nets]
-        return [
-            CONTEXT.from_dict({(i, j): x for i, row in enumerate(powers_of(f)) for j, x in enumerate(row) if x})
-            for f in forms
-        ]
+        return [polynomial_of(f) for f in forms]
 
     def _described(self, box: Box) -> OpenRidges:
         umbilics = sum(one.place.box().meets(box) for one in self.umbilics.umbilics)

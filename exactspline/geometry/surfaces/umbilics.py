@@ -25,7 +25,7 @@ from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, Ze
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, ball_around, sign_of_ball
 from exactspline.one_line import OneLine
-from exactspline.polynomials.patch_forms import PatchForm, rounded
+from exactspline.polynomials.patch_forms import PatchForm, jacobian_sign, rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
@@ -179,7 +179,7 @@ class _Search:
         for bits, (f, g, length) in product(KIND_BITS, pairs):
             around = (side.grown(mpq(1, 1 << bits)) for side in zero.refine(bits))
             box = Box(*(side.inside(whole) for side, whole in zip(around, UNIT, strict=True)))
-            if rounded(length, box).sign == 1 and (sign := _jacobian_sign(f, g, box)):
+            if rounded(length, box).sign == 1 and (sign := jacobian_sign(rounded(f, box), rounded(g, box))):
                 return self._around(zero) if sign > 0 else UmbilicKind.NEGATIVE
         try:
             multiple = zero.isolated is None and all(zero.is_zero_of(_jacobian(f, g)) for f, g, _ in pairs)
@@ -210,16 +210,6 @@ def _jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
     """The Jacobian determinant of two forms, up to a positive constant."""
     p, q = as_polynomial(f), as_polynomial(g)
     return as_form(p.derivative(0) * q.derivative(1) - p.derivative(1) * q.derivative(0))
-
-
-def _jacobian_sign(f: PatchForm, g: PatchForm, box: Box) -> int:
-    """The sign of the Jacobian determinant on a box that is not a point, if its range excludes 0; otherwise 0."""
-    (a, b), (c, d) = ([h.slopes(i) for i in (0, 1)] for h in (rounded(f, box), rounded(g, box)))
-    first = [x * y for x in a for y in d]
-    second = [x * y for x in b for y in c]
-    if min(first) > max(second):
-        return 1
-    return -1 if max(first) < min(second) else 0
 
 
 #: The sides of a point, in u and in v, on which something lies; they do not depend on how knots cut the patches around
