@@ -49,10 +49,6 @@ class Place(OneLine):
         """A box that contains the point, its sides at most ``10^−digits`` long."""
         return self.zero.box(digits)
 
-    def with_patches(self, patches: tuple[Patch, ...]) -> Place:
-        """The same point, found on more patches."""
-        return Place(tuple(sorted({*self.patches, *patches})), self.zero)
-
 
 #: A point by its parameters.
 Spot = tuple[Parameter, Parameter]
@@ -81,8 +77,7 @@ def single_places(
 
 def together(own: Sequence[Place]) -> Place:
     """The place of one point that was found on several patches."""
-    first, *others = own
-    return first.with_patches(tuple(patch for place in others for patch in place.patches))
+    return Place(tuple(sorted({patch for place in own for patch in place.patches})), own[0].zero)
 
 
 def is_in(spot: Spot, box: Sides, domain: Box, closed: Sequence[Along]) -> bool:

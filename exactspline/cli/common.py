@@ -486,16 +486,16 @@ def _inspected(
     from exactspline.display.answer_forms import FORMS, FORMS_BESIDE, surface_inspection_data
     from exactspline.display.forms import list_of
     from exactspline.display.surface_data import map_sheet, nearby_umbilics_sheet, surface_sheet
-    from exactspline.geometry.analysis.planar_maps import jacobian_sign
-    from exactspline.geometry.analysis.surfaces import inspect_surface
+    from exactspline.geometry.analysis.planar_maps import MapInspection
+    from exactspline.geometry.analysis.surfaces import SurfaceInspection
     from exactspline.geometry.recognition.patches import RecognizedPart
 
     if surface.dimension == 2:
         if plot:
             raise OptionsError("--plot and a map of the plane", remedy="omit --plot: only surfaces in space are drawn")
-        sign = jacobian_sign(surface)
+        sign = MapInspection(surface)
         return surface_inspection_data(sign, digits), [map_sheet(sign)]
-    found = inspect_surface(surface)
+    found = SurfaceInspection(surface)
     if plot:
         _drawn(found, plot)
     data = surface_inspection_data(found, digits)

@@ -446,15 +446,11 @@ def _of_one_curve(first: PlaneForms, second: PlaneForms, forward: Elimination) -
     return found
 
 
-def _substitute(matrix: Matrix, degree: int, u: fmpz_poly, v: fmpz_poly) -> Matrix:
-    """The matrix of forms of a degree at ``(u, v)``."""
-    return [[substituted(x, degree, u, v) for x in row] for row in matrix]
-
-
 def _crossings(first: PlaneForms, second: PlaneForms, carried: RationalMap) -> Iterator[Meeting]:
     """The points where other branches of the first curve pass through a point of the second."""
     own = self_elimination(first)
-    matrix = _substitute(own.matrix, own.degree, carried.bottom, carried.top)
+    u, v = carried.bottom, carried.top
+    matrix = [[substituted(x, own.degree, u, v) for x in row] for row in own.matrix]
     crossed = Elimination(matrix, own.degree * carried.degree)
     for place in places(crossed.isolation):
         partner = crossed.partner(place)

@@ -272,14 +272,6 @@ EXACT = (int, Fraction, Decimal, type(mpz()), _RATIONAL, fmpz, type(to_fmpq(mpq(
 OPEN = 1500
 
 
-def _irreducible_factors(p: fmpz_poly) -> tuple[fmpz_poly, ...]:
-    """The irreducible factors, with positive leading coefficients; cached, because many numbers share them.
-
-    Raises `ReachError` if FLINT may take too long.
-    """
-    return _factors(*p.coeffs())
-
-
 @lru_cache(64)
 def _factors(*coefficients: fmpz) -> tuple[fmpz_poly, ...]:
     return tuple(primitive(p) for p in factorize(fmpz_poly(list(coefficients))).bases)
@@ -394,7 +386,7 @@ class Algebraic(Digits):
 
     def _computed_minimal(self) -> fmpz_poly:
         p, low, high = self._isolated()
-        return linear(low) if low == high else next(f for f in _irreducible_factors(p) if _changes_sign(f, low, high))
+        return linear(low) if low == high else next(f for f in _factors(*p.coeffs()) if _changes_sign(f, low, high))
 
     def is_root_of(self, polynomial: fmpz_poly) -> bool:
         """Return whether a polynomial with integer coefficients vanishes at this number.

@@ -27,7 +27,6 @@ from exactspline.polynomials.patch_forms import PatchForm
 from exactspline.questions.entry import Answered, Fact, Of, question
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.type_checks import surface_of
 
 
 class MapKind(StrEnum):
@@ -44,6 +43,13 @@ class MapKind(StrEnum):
 class MapInspection(SurfaceValues, Displayed):
     """The analysis of the sign of the Jacobian determinant of a map of the plane. The questions about a map are entries
     of the registry (`exactspline.geometry.analysis.ask`).
+
+    >>> from exactspline import example
+    >>> MapInspection(example("planar_map")).kind
+    <MapKind.POSITIVE: 'orientation kept: det > 0'>
+    >>> inspection = MapInspection(example("folded_map"))
+    >>> inspection.kind.value, inspection.regular
+    ('folded: det has both signs', False)
 
     Raises `ShapeError` for a surface that is not in the plane.
     """
@@ -200,21 +206,6 @@ class MapInspection(SurfaceValues, Displayed):
     def complete(self) -> bool:
         """Whether everything was decided."""
         return not self.undecided
-
-
-def jacobian_sign(surface: NurbsSurface) -> MapInspection:
-    """The sign of the Jacobian determinant of a map of the plane, proved on every closed patch.
-
-    >>> from exactspline import example
-    >>> jacobian_sign(example("planar_map")).kind
-    <MapKind.POSITIVE: 'orientation kept: det > 0'>
-    >>> inspection = jacobian_sign(example("folded_map"))
-    >>> inspection.kind.value, inspection.regular
-    ('folded: det has both signs', False)
-
-    Raises `ShapeError` for a surface that is not in the plane.
-    """
-    return MapInspection(surface_of(surface))
 
 
 def _inside(point: Point, sign: int, whole: PatchForm, sides: Box, domain: Box) -> Point:

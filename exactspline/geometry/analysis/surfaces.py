@@ -34,7 +34,6 @@ from exactspline.questions.entry import Answered, Fact, Of, question, question_w
 from exactspline.questions.takes import WITHIN
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along, NurbsSurface
-from exactspline.splines.type_checks import surface_of
 
 
 class PatchKind(StrEnum):
@@ -132,13 +131,18 @@ class PatchInspection(OneLine):
 
 
 class SurfaceInspection(SurfaceMeetings, Displayed):
-    """The analysis of a surface in space. The questions about a surface are entries of the registry
-    (`exactspline.geometry.analysis.ask`); each question is answered when it is first asked.
+    """The analysis of a surface in space: the sign of the Gaussian curvature on every patch, its parabolic curves, all
+    its umbilics, poles, singular points, creases and jumps of the curvature along knots, certified. The questions about
+    a surface are entries of the registry (`exactspline.geometry.analysis.ask`); each question is answered when it is
+    first asked.
 
     >>> from exactspline import example
     >>> found = SurfaceInspection(example("hyperbolic_paraboloid"))
     >>> found.umbilics, found.singular_points, found.complete
     (nowhere, nowhere, True)
+    >>> found = SurfaceInspection(example("ellipsoid"))
+    >>> [kind.value for kind in found.kinds], len(found.umbilics), found.complete
+    (['elliptic'], 4, True)
 
     Raises `ShapeError` for a surface that is not in space.
     """
@@ -447,20 +451,6 @@ def _boxes(groups: Iterable[tuple[Box, ...]]) -> tuple[Box, ...]:
     return tuple(dict.fromkeys(box for boxes in groups for box in boxes))
 
 
-def inspect_surface(surface: NurbsSurface) -> SurfaceInspection:
-    """The sign of the Gaussian curvature on every patch of a surface in space, its parabolic curves, all its umbilics,
-    poles, singular points, creases and jumps of the curvature along knots, certified.
-
-    >>> from exactspline import example
-    >>> inspection = inspect_surface(example("ellipsoid"))
-    >>> [kind.value for kind in inspection.kinds], len(inspection.umbilics), inspection.complete
-    (['elliptic'], 4, True)
-
-    Raises `ShapeError` for a surface that is not in space.
-    """
-    return SurfaceInspection(surface_of(surface))
-
-
 def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
     """The features of one patch; if a factorization would take too long, the whole patch is undecided."""
     try:
@@ -473,7 +463,7 @@ def _in_reach(forms: SurfaceForms, patch: Patch) -> PatchInspection:
 
 
 def inspect_patch(forms: SurfaceForms, patch: Patch) -> PatchInspection:
-    """The features of one patch (see `inspect_surface`)."""
+    """The features of one patch (see `SurfaceInspection`)."""
     surface, sides = forms.surface, sides_of(forms.surface, patch)
     singular = singular_points(forms, patch)
     if singular.degenerate:
