@@ -110,18 +110,18 @@ def nearest(name: str, known: Iterable[str], *, listed_by: str = "") -> str:
     return hint + (f"; `{command_name()} {listed_by}` lists all" if listed_by else "")
 
 
-def _likest(name: str, known: list[str], count: int = 3) -> list[str]:
-    """The names most similar to a name, the most similar first. A mistyped name mostly has the right first letter. The
-    similarity of two names is bounded by the letters that they share, which is cheap to count: only names whose bound
-    is not below the best found are compared.
+def _likest(name: str, known: list[str]) -> list[str]:
+    """The three names most like a name, the most similar first. A mistyped name mostly has the right first letter.
+    The similarity of two names is bounded by the letters that they share, which is cheap to count: only names whose
+    bound is not below the best found are compared.
     """
     own, found = _letters(name), list[tuple[float, int]]()
     for bound, i in sorted((_bound(name, own, each.lower()), i) for i, each in enumerate(known)):
-        if len(found) >= count and bound > sorted(found)[count - 1][0]:
+        if len(found) >= 3 and bound > sorted(found)[2][0]:
             break
         other = known[i].lower()
         found.append((-5 * SequenceMatcher(None, name, other).ratio() - (name[:1] == other[:1]), i))
-    return [known[i] for _, i in sorted(found)[:count]]
+    return [known[i] for _, i in sorted(found)[:3]]
 
 
 def _bound(name: str, own: Counter[str], other: str) -> float:

@@ -28,15 +28,9 @@ class Word(StrEnum, metaclass=_Words):
 
 
 def choice(
-    kind: type[E],
-    value: object,
-    what: str,
-    *,
-    raised: type[ExactSplineError] = FormulaError,
-    where: str = "",
-    also: tuple[str, ...] = (),
+    kind: type[E], value: object, what: str, *, raised: type[ExactSplineError] = FormulaError, where: str = ""
 ) -> E:
-    """The member of an enumeration that a word names; `also` are further words that the caller accepts.
+    """The member of an enumeration that a word names.
 
     >>> class Side(Word):
     ...     LEFT = "left"
@@ -48,6 +42,5 @@ def choice(
     found = kind._value2member_map_.get(value) if isinstance(value, str) else None
     if isinstance(found, kind):
         return found
-    words = [*kind, *also]
-    remedy = f"there are {', '.join(words)}" if len(words) <= FEW else nearest(cast(str, value), words)
+    remedy = f"there are {', '.join(kind)}" if len(kind) <= FEW else nearest(cast(str, value), kind)
     raise raised(f"the {what} {shown(value)} is unknown", where=where, remedy=remedy)

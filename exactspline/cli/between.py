@@ -86,8 +86,7 @@ def between(
     first, second = (load_curve(*each) for each in readings)
     if emit_coq:
         write_theorems(emit_coq, first, second)
-    if epsilon:
-        check_distance(epsilon)
+    check_distance(epsilon)
     pair = CurvePair(first, second)
     if ask:
         answer_about_pair(out, pair, with_distance(ask, epsilon, (), of_pair=True), digits)

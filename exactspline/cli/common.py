@@ -360,10 +360,10 @@ def check_output(output: str, *inputs: str) -> None:
 
 
 def check_distance(epsilon: str) -> None:
-    """See that an option --epsilon is a distance."""
+    """See that an option --epsilon, if it is given, is a distance."""
     from exactspline.splines.precision import WRITTEN
 
-    if epsilon != WRITTEN:
+    if epsilon not in ("", WRITTEN):
         _see_that_it_is_positive("--epsilon", epsilon, f", or {WRITTEN}")
 
 
@@ -512,16 +512,12 @@ def _inspected(
 
 def _drawn(found: SurfaceInspection, plot: str) -> None:
     """Write a picture, or an interactive page, of an inspected surface."""
+    from exactspline.atomic_write import write_text
     from exactspline.display.plot.anything import picture
+    from exactspline.display.plot.canvas import PlotError, save
 
     if plot.lower().endswith(".html"):
-        from exactspline.atomic_write import write_text
-        from exactspline.display.plot.canvas import PlotError
-
         write_text(plot, picture("page of an inspected surface", found), PlotError)
-        tell_written(plot)
-        return
-    from exactspline.display.plot.canvas import save
-
-    save(picture("inspected surface", found), plot)
+    else:
+        save(picture("inspected surface", found), plot)
     tell_written(plot)

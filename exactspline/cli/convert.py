@@ -86,8 +86,7 @@ def convert(
 
     if epsilon and not snap:
         raise OptionsError("--epsilon without --snap", remedy="say what to replace: --snap line,circle")
-    if epsilon:
-        check_distance(epsilon)
+    check_distance(epsilon)
     check_approximate(approximate)
     check_output(target, source.rpartition(":")[0] or source, source)
     own = knots.replace(",", " ").split() or None

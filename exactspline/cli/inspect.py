@@ -201,8 +201,7 @@ def _inspect_surfaces(
     if ask:
         answer_about_surfaces(out, own, ask, digits, good=good)
         return
-    if epsilon:
-        check_distance(epsilon)
+    check_distance(epsilon)
     inspect_surfaces(out, own, digits, plot, epsilon, good=good, with_all=with_all)
 
 
@@ -212,8 +211,7 @@ def _see_that_they_fit(found: Sequence[Read], epsilon: str, emit_coq: str) -> No
         raise OptionsError("--emit-coq and several curves", remedy="write one file per curve")
     if emit_coq:
         see_that_coq_can_name(emit_coq)
-    if epsilon:
-        check_distance(epsilon)
+    check_distance(epsilon)
 
 
 def _give(

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum, StrEnum
 from operator import attrgetter, itemgetter
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple, TypeVar, cast
 
 from exactspline.display.numbers import decimal
 from exactspline.errors import ExactSplineError, OpenError, ReachError, as_instance
@@ -40,6 +40,8 @@ from exactspline.splines.nurbs import Nurbs
 
 
 Data = dict[str, object]
+K = TypeVar("K")
+V = TypeVar("V")
 
 
 def plain(value: object) -> object:
@@ -53,6 +55,18 @@ def plain(value: object) -> object:
     if isinstance(value, type(mpq())):
         return text(value)
     return [plain(each) for each in value] if isinstance(value, (tuple, list, KnotVector)) else value
+
+
+def grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, list[V]]:
+    """The second parts of pairs, by their first parts.
+
+    >>> grouped([("arc", 1), ("pair", 2), ("arc", 3)])
+    {'arc': [1, 3], 'pair': [2]}
+    """
+    groups: dict[K, list[V]] = {}
+    for key, value in pairs:
+        groups.setdefault(key, []).append(value)
+    return groups
 
 
 def picked(of: object, *names: str) -> Data:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from exactspline.display.evidence import opinion, worded
-from exactspline.display.forms import picked
+from exactspline.display.forms import grouped, picked
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.display.sheet import Sheet
 from exactspline.errors import counted
@@ -177,11 +177,8 @@ class Failure:
 
 def refuted(rows: Iterable[Row]) -> list[Failure]:
     """The errors of the papers among the rows for all curves, in the order of the rows."""
-    groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
-    for row in rows:
-        if not row.curve:
-            groups[row.paper, error_of(row.claim)].append(row)
     failures = []
+    groups = grouped(((row.paper, error_of(row.claim)), row) for row in rows if not row.curve)
     for (source, error), group in groups.items():
         fails = [row for row in group if row.status == Status.PRINTED and row.verdict == REFUTED]
         truth = [row for row in group if row.status == Status.MEANT and row.verdict in HOLDS]

@@ -17,6 +17,7 @@ from rich.console import Console
 from exactspline.display import console
 from exactspline.display.console import explained
 from exactspline.display.evidence import curve_of_witness, opinion, values_there, written_out
+from exactspline.display.forms import grouped
 from exactspline.display.latex_prose import parts
 from exactspline.display.ledger import (
     Failure,
@@ -330,10 +331,7 @@ def _printed(words: str) -> str:
 
 def _on_curves(rows: Iterable[Row]) -> str:
     """The verdicts curve by curve; curves with the same verdict in one line."""
-    lines: dict[tuple[str, str], list[str]] = {}
-    for row in rows:
-        if row.curve:
-            lines.setdefault((row.verdict, witness(row)), []).append(row.curve)
+    lines = grouped(((row.verdict, witness(row)), row.curve) for row in rows if row.curve)
     return table((result, ", ".join(curves), where) for (result, where), curves in lines.items()) if lines else ""
 
 

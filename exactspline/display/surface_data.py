@@ -28,6 +28,7 @@ from exactspline.display.forms import (
     TEXT,
     Data,
     Form,
+    grouped,
     list_of,
     lists,
     one_of,
@@ -320,10 +321,7 @@ def _regions(inspection: SurfaceInspection) -> Iterator[tuple[str, Box, str]]:
     """The kinds of patches, each with the rectangle that its patches fill; if they fill no rectangle, patch by
     patch.
     """
-    groups: dict[tuple[str, str], list[Box]] = {}
-    for one in inspection.patches:
-        remark = _of_patch(one)
-        groups.setdefault((one.kind.value, remark), []).append(one.sides)
+    groups = grouped(((one.kind.value, _of_patch(one)), one.sides) for one in inspection.patches)
     for (kind, remark), boxes in groups.items():
         for box in _together(_together(sorted(boxes), 0), 1):
             yield kind, box, remark
@@ -392,9 +390,7 @@ def _add_open_boxes(made: Sheet, boxes: Sequence[Box]) -> None:
 
 def _poles(inspection: SurfaceInspection) -> Iterator[tuple[_PoleKey, list[Interval]]]:
     """Poles along one line, grouped by point."""
-    groups: dict[_PoleKey, list[Interval]] = {}
-    for pole in inspection.poles:
-        groups.setdefault((pole.along, pole.value, pole.point, pole.gap), []).append(pole.interval)
+    groups = grouped(((pole.along, pole.value, pole.point, pole.gap), pole.interval) for pole in inspection.poles)
     yield from ((key, joined(intervals)) for key, intervals in groups.items())
 
 

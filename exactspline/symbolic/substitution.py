@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import groupby
-from math import gcd
+from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactspline.language.arguments import Curve, Pair, T
@@ -59,9 +59,7 @@ class Substitution:
     def __init__(self, jet: Jet) -> None:
         self.ring = jet.ring
         coefficients = jet.polynomial.coeffs()
-        below = 1
-        for c in coefficients:
-            below *= int(c.q) // gcd(below, int(c.q))
+        below = lcm(*(int(c.q) for c in coefficients))
         self.unit = mpq(1, below)
         monomials = [tuple(map(int, exponents)) for exponents in jet.polynomial.monoms()]
         numbers = [int(c.p) * (below // int(c.q)) for c in coefficients]

@@ -344,9 +344,7 @@ def bezout_combination(
 
 def _irreducible(c: fmpz_poly, n: int) -> int | None:
     """A prime modulo which the form is irreducible and of full degree, or None."""
-    if not 1 <= n <= LARGEST or c.degree() < n:
-        return None
-    if [e for _, e in factorize(c).powers] != [1]:
+    if not 1 <= n <= LARGEST or c.degree() < n or [e for _, e in factorize(c).powers] != [1]:
         return None
     for p in SMALL_PRIMES:
         if int(c[n]) % p and [e for _, e in factorize(nmod_poly(c.coeffs(), p)).powers] == [1]:

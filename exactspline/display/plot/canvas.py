@@ -115,10 +115,10 @@ def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: obje
     ax.plot(*[[float(x) for x in column] for column in columns], *([style] if style else []), **options)
 
 
-def draw_runs(ax: Axes, runs: Iterable[Iterable[Sequence[mpq]]], label: str, style: str = "", **how: object) -> None:
+def draw_runs(ax: Axes, runs: Iterable[Iterable[Sequence[mpq]]], label: str, **how: object) -> None:
     """Runs of points, each as a line; the legend names them once."""
     for i, run in enumerate(runs):
-        draw(ax, run, style, label=f"_{label}" if i else label, **how)
+        draw(ax, run, "", label=f"_{label}" if i else label, **how)
 
 
 def legend_below(ax: Axes, columns: int = 3) -> None:

@@ -152,12 +152,12 @@ def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) 
     data: list[str] = []
     for number, (kind, form, use, label, values) in enumerate(entities):
         pointer = 2 * number + 1
-        lines = _wrapped([str(kind), *values], 64, ",", ";")
+        lines = _wrapped([str(kind), *values], 64)
         status = f"0000{use:02}00"
         directory.append(f"{kind:8}{len(data) + 1:8}" + f"{0:8}" * 6 + status)
         directory.append(f"{kind:8}{0:8}{0:8}{len(lines):8}{form:8}" + " " * 16 + f"{label[:8]:>8}{0:8}")
         data += [f"{line:<64} {pointer:7}" for line in lines]
-    settings = _wrapped(NAMES["iges settings"], 72, ",", ";")
+    settings = _wrapped(NAMES["iges settings"], 72)
     sheets = {"S": [title[:72]], "G": settings, "D": directory, "P": data}
     sheets["T"] = ["".join(f"{letter}{len(lines):7}" for letter, lines in sheets.items())]
     return "".join(
@@ -165,10 +165,10 @@ def formatted(entities: list[tuple[int, int, int, str, list[str]]], title: str) 
     ).encode("ascii", "replace")
 
 
-def _wrapped(values: list[str], width: int, separator: str, ending: str) -> list[str]:
+def _wrapped(values: list[str], width: int) -> list[str]:
     lines = [""]
     for i, value in enumerate(values):
-        piece = value + (ending if i == len(values) - 1 else separator)
+        piece = value + (";" if i == len(values) - 1 else ",")
         if len(lines[-1]) + len(piece) > width:
             lines.append("")
         lines[-1] += piece

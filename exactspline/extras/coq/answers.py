@@ -108,9 +108,8 @@ def theorem_of(curve: Nurbs) -> str:
         "  spline (knots this_curve) (degree this_curve) (weights this_curve) t\n"
         "  = at_real (w (curve_piece this_curve j)) t.\n"
         "Proof. exact (pieces_are_splines this_curve j t this_curve_sound). Qed.\n",
+        *[_theorem(curve, answer, formulas) for answer in forms],
     ]
-    for answer in forms:
-        parts.append(_theorem(curve, answer, formulas))
     return "\n".join(parts)
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from flint import fmpq_mpoly
 
 from exactspline.atomic_write import write_text
+from exactspline.display.forms import grouped
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, VanishingDivisorError
 from exactspline.extras.coq.formulas import (
     HEADER,
@@ -429,7 +430,9 @@ def library() -> Library:
     files |= {f"formulas/{paper.name}": formulas.definitions(paper) for paper in formulas.papers}
     theorems: dict[str, tuple[Stated, ...]] = {}
     for paper in formulas.papers:
-        for table, claims in _by_table(paper):
+        tables = (Path(table.place.split(",")[0]).stem for table in paper.claim_tables())
+        by_table = grouped(zip(tables, claims_of(paper.name), strict=True))
+        for table, claims in by_table.items():
             theorems_of_table = tuple(each for claim in claims for each in _stated(claim, paper, formulas))
             if theorems_of_table:
                 name = f"claims/{paper.name}_{table}"
@@ -437,14 +440,6 @@ def library() -> Library:
                 if any(each.reason is None for each in theorems_of_table):
                     files[name] = _claims_file(paper, theorems_of_table)
     return Library(files, theorems)
-
-
-def _by_table(paper: Paper) -> Iterator[tuple[str, list[Claim]]]:
-    """The claims of a paper by the file that contains them."""
-    groups: dict[str, list[Claim]] = {}
-    for table, claim in zip(paper.claim_tables(), claims_of(paper.name), strict=True):
-        groups.setdefault(Path(table.place.split(",")[0]).stem, []).append(claim)
-    yield from groups.items()
 
 
 def _stated(claim: Claim, paper: Paper, formulas: Formulas) -> list[Stated]:

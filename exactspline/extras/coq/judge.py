@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
+from exactspline.display.forms import grouped
 from exactspline.extras.coq.emission import ROOT, Library, Stated, claims_header, library, why_unstated
 from exactspline.verification.claim import Claim
 from exactspline.verification.evidence import Fact, NoTheorem, Theorem
@@ -57,10 +58,11 @@ def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
     }
     # without a theorem there is nothing for which the theory would be compiled
     compiled = compiled_theorems(made, chosen) if installed and any(chosen.values()) else {}
-    by_claim: dict[tuple[str, str], list[Finding]] = {}
-    for each in (each for own in chosen.values() for each in own):
-        said = _finding(each, compiled, installed=installed)
-        by_claim.setdefault((each.claim.paper, each.claim.key), []).append(said)
+    by_claim = grouped(
+        ((each.claim.paper, each.claim.key), _finding(each, compiled, installed=installed))
+        for own in chosen.values()
+        for each in own
+    )
     unstated = {(c.paper, c.key): [Finding(UNDECIDED, witness=NoTheorem(why_unstated(c)))] for c in claims}
     return {key: combined_findings(own) for key, own in (unstated | by_claim).items()}
 

@@ -99,6 +99,14 @@ def _cleared(points: Sequence[Point], made: Iterable[Point]) -> list[Point] | No
     return [tuple(factor * x for x in row) for row in points]
 
 
+def _simple(curve: Nurbs, made: Iterable[Point]) -> Nurbs | None:
+    """The curve with its control points times such a factor (see `_cleared`); None if they become large, or if
+    neighbours coincide.
+    """
+    points = _cleared(curve.control_points, made)
+    return None if points is None else Nurbs(curve.degree, curve.knots, points)
+
+
 def _small(values: Iterable[mpq]) -> bool:
     """Whether all are integers of about two digits."""
     return all(x.denominator == 1 and abs(x) <= LARGEST for x in values)
@@ -335,27 +343,25 @@ def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
 
 def _evaluation(rng: Random) -> Drawn:
     """The point of a B-spline curve by de Boor's triangle."""
-    curve = _curve(rng, rng.choice((2, 3)))
-    t = _inner(rng, curve)
-    triangle = de_boor_triangle(curve, t)
-    points = _cleared(curve.control_points, [row for column in triangle.columns for row in column])
-    if points is None:
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = _inner(rng, drawn)
+    triangle = de_boor_triangle(drawn, t)
+    curve = _simple(drawn, [row for column in triangle.columns for row in column])
+    if curve is None:
         return None
-    curve = Nurbs(curve.degree, curve.knots, points)
     task = (*_given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
     return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
 
 
 def _derivative(rng: Random) -> Drawn:
     """The derivative of a curve at a parameter."""
-    curve = _curve(rng, rng.choice((2, 3)))
-    t = rng.choice((_inner(rng, curve), *curve.domain))
-    hodograph = Nurbs.from_splines([f.d() for f in curve.p])
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = rng.choice((_inner(rng, drawn), *drawn.domain))
+    hodograph = Nurbs.from_splines([f.d() for f in drawn.p])
     made = [*hodograph.control_points, *[row for c in de_boor_triangle(hodograph, t).columns for row in c]]
-    points = _cleared(curve.control_points, made)
-    if points is None:
+    curve = _simple(drawn, made)
+    if curve is None:
         return None
-    curve = Nurbs(curve.degree, curve.knots, points)
     hodograph = Nurbs.from_splines([f.d() for f in curve.p])
     task = (*_given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
     words = (
@@ -367,12 +373,11 @@ def _derivative(rng: Random) -> Drawn:
 
 def _insertion(rng: Random) -> Drawn:
     """The control points after a knot is inserted."""
-    curve = _curve(rng, rng.choice((2, 3)))
-    t = _inner(rng, curve)
-    points = _cleared(curve.control_points, insertion_triangle(curve, t).made)
-    if points is None:
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = _inner(rng, drawn)
+    curve = _simple(drawn, insertion_triangle(drawn, t).made)
+    if curve is None:
         return None
-    curve = Nurbs(curve.degree, curve.knots, points)
     triangle = insertion_triangle(curve, t)
     finer = Nurbs(curve.degree, triangle.knots or (), triangle.made)
     task = (*_given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
@@ -381,11 +386,10 @@ def _insertion(rng: Random) -> Drawn:
 
 def _elevation(rng: Random) -> Drawn:
     """The Bézier points after the degree is raised."""
-    curve = _bezier_curve(_drawn_points(rng, rng.choice((1, 2, 3)) + 1))
-    points = _cleared(curve.control_points, elevation_triangles(curve)[0].columns[-1])
-    if points is None:
+    drawn = _bezier_curve(_drawn_points(rng, rng.choice((1, 2, 3)) + 1))
+    curve = _simple(drawn, elevation_triangles(drawn)[0].columns[-1])
+    if curve is None:
         return None
-    curve = Nurbs(curve.degree, curve.knots, points)
     task = sentence(
         f"A Bézier curve of degree {curve.degree} has the control points %. Write it as a Bézier curve of degree "
         f"{curve.degree + 1}: what are its control points?",
@@ -397,12 +401,11 @@ def _elevation(rng: Random) -> Drawn:
 
 def _subdivision(rng: Random) -> Drawn:
     """The Bézier points of the first part of a subdivided curve."""
-    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
-    t = _inner(rng, curve)
-    points = _cleared(curve.control_points, [row for c in de_boor_triangle(curve, t).columns for row in c])
-    if points is None:
+    drawn = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
+    t = _inner(rng, drawn)
+    curve = _simple(drawn, [row for c in de_boor_triangle(drawn, t).columns for row in c])
+    if curve is None:
         return None
-    curve = Nurbs(curve.degree, curve.knots, points)
     first, _ = curve.split(t)
     asked = sentence(". It is cut at %. What are the control points of its first part?", Math("t", (t,)))
     return (
