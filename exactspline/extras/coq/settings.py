@@ -171,9 +171,6 @@ class Setting:
     @cached_property
     def spelling(self) -> _Spelling:
         """The notation of the argument."""
-        return self._spelled()
-
-    def _spelled(self) -> _Spelling:
         weights, n = [f"H{weight}" for weight in self.weights], self.dimension
         if self.constants:
             functions = [self.named(symbol.name) for symbol in self.symbols if symbol.parameters]
@@ -245,7 +242,9 @@ class Setting:
 class _HodographSetting(Setting):
     """A polynomial plane curve with γ′ = (u² − v², 2uv) h; a polynomial one has h = 1."""
 
-    def _spelled(self) -> _Spelling:
+    @cached_property
+    def spelling(self) -> _Spelling:
+        """The notation of the argument."""
         u, v = self.variable("u"), self.variable("v")
         factor = "number 1" if self.polynomial else self.variable("h")
         rules = [
@@ -271,7 +270,9 @@ class _ImplicitSetting(Setting):
         known = self.kind.symbols(self.dimension)
         return tuple(symbol for symbol in known if len(symbol.name) <= 3 or symbol.name in self.free)
 
-    def _spelled(self) -> _Spelling:
+    @cached_property
+    def spelling(self) -> _Spelling:
+        """The notation of the argument."""
         axes = COORDINATES[: self.dimension]
         f, free = ([self.variable(name) for name in names] for names in ([f"f{x}" for x in axes], self.free))
         second = {x: [self.variable("f" + "".join(sorted(x + y))) for y in axes] for x in axes}
@@ -299,7 +300,9 @@ class _SurfaceSetting(Setting):
     partial derivatives up to an order.
     """
 
-    def _spelled(self) -> _Spelling:
+    @cached_property
+    def spelling(self) -> _Spelling:
+        """The notation of the argument."""
         names = [symbol.name for symbol in self.symbols]
         introduced = [*map(self.named, names), "C", *[f"H{weight}" for weight in self.weights]]
         jets = " ++ ".join(f"partials {self.order} {self.named(name)}" for name in names)
@@ -324,7 +327,9 @@ class _SurfaceCurveSetting(Setting):
     def _operand(self, symbol: Symbol) -> JetFraction:
         return self._jet(symbol.name) if symbol.name in self.route else super()._operand(symbol)
 
-    def _spelled(self) -> _Spelling:
+    @cached_property
+    def spelling(self) -> _Spelling:
+        """The notation of the argument."""
         coordinates = [symbol.name for symbol in self.symbols if symbol.name not in self.route]
         names = [self.named(name) for name in (*self.route, *coordinates)]
         hypotheses = ["C", *[f"F{name}" for name in coordinates], *[f"H{weight}" for weight in self.weights]]
@@ -496,7 +501,9 @@ class _FramedSetting(Setting):
         """The functions."""
         return self.kind.symbols(self.dimension)
 
-    def _spelled(self) -> _Spelling:
+    @cached_property
+    def spelling(self) -> _Spelling:
+        """The notation of the argument."""
         rules, n = list[str](), self.dimension
         for root in self.roots if self.differentiates_roots else ():  # of the roots and their inverses
             place, half = self.position(root), self._half(root)
