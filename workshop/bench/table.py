@@ -10,6 +10,7 @@ from workshop.bench.features import feature_rows, linear_rows
 from workshop.bench.forms import form_rows, growth_rows
 from workshop.bench.measures import measure_rows
 from workshop.bench.memory import memory_rows
+from workshop.bench.pairs import pair_rows
 from workshop.bench.roots import root_rows
 from workshop.bench.row import OURS, Options, Row, Section
 from workshop.bench.splines import spline_rows
@@ -19,6 +20,7 @@ from workshop.bench.whole import command_rows
 #: The sections in the order of the table.
 SECTIONS: dict[str, Section] = {
     "features": feature_rows,
+    "pairs": pair_rows,
     "forms": form_rows,
     "roots": root_rows,
     "splines": spline_rows,
