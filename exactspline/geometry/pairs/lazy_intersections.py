@@ -42,7 +42,7 @@ class PairForm:
     @cached_property
     def elimination(self) -> Elimination:
         """The matrix of the curve of lower degree."""
-        if self.first is self.second:
+        if self.first == self.second:
             return self_elimination(self._segments[0])
         return elimination(*self._segments[:: -1 if self.exchanged else 1])
 
