@@ -234,8 +234,8 @@ def _dyadic(mantissa: object, exponent: object) -> mpq:
 def ball_around(low: mpq, high: mpq) -> arb:
     """A ball, at FLINT's current precision, that contains an interval.
 
-    >>> ball_around(mpq(1, 2), mpq(1, 2))
-    0.500000000000000
+    >>> ball_around(mpq(1, 2), mpq(1, 2)) == 0.5, 0.7 in ball_around(mpq(1, 2), mpq(3, 4))
+    (True, True)
     """
     first = arb(to_fmpq(low))
     return first if low == high else first.union(arb(to_fmpq(high)))

@@ -18,7 +18,7 @@ ENTRY = f'''
     @question(*CURVES, proof=lambda facts: (slope_zeros(facts.curve, 0),))
     def {NAME}(self) -> Places[Feature]:
         """The extrema of the first coordinate."""
-        return turning_points(self.curve, 0)
+        return self.turning_points(0)
 
     @property
     def flatness(self)'''
