@@ -117,8 +117,6 @@ def _(answer, to):
 
 @of("NoneType")
 def _(answer, to):
-    if to.name == "plane" and turned_line(to):
-        return []
     return [(("none",), ())]
 
 
