@@ -33,7 +33,7 @@ CORPUS = Path(__file__).parents[1] / "corpus"
 SECONDS, MEMORY = 2, 1 << 30
 #: Seconds of processor time that rhino3dm has for an archive: many times what a sound one takes, also where other
 #: programs run, and less than one that never ends.
-PATIENCE = 0.5
+PATIENCE = 1.0
 #: Files kept for a format, and bytes of a kept file, at most.
 KEPT, SMALL = 30, 2500
 
@@ -65,8 +65,8 @@ def address_space() -> int:
 
 def entries_by_fork(source: Source) -> list[dict[str, Any]]:
     """What `rhino._entries` gives, from a fork of this process, which has rhino3dm loaded: ten times as
-    fast. On a damaged archive rhino3dm may not come back: it has half a second of its own processor time here,
-    and two there. Its limit of memory is counted from what this process has.
+    fast. On a damaged archive rhino3dm may not come back: it has a second of its own processor time here, and
+    two there. Its limit of memory is counted from what this process has.
     """
     ours, theirs = os.pipe()
     child = os.fork()
@@ -151,6 +151,7 @@ def fuzz(name: str, runs: int, seed: int, keep: bool) -> tuple[int, int, float]:
     chance, files = random.Random(f"{name} {seed}"), originals()[name]
     answers = [said(data, name) for data in files]
     whole = [data for data, answer in zip(files, answers, strict=True) if answer.startswith("read")]
+    assert whole, f"{name}: none of the files that are changed is read"
     known = set(answers)
     kept, failures, good, longest = len(list((CORPUS / name).glob("*"))), 0, 0, 0.0
     signal.signal(signal.SIGVTALRM, _stop)
