@@ -8,7 +8,7 @@ from enum import Enum
 from functools import cache
 from importlib import import_module
 from os.path import dirname, join
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast, dataclass_transform
+from typing import TYPE_CHECKING, Any, Protocol, cast, dataclass_transform
 
 from exactspline.one_line import OneLine, fields_of
 
@@ -111,16 +111,9 @@ class Written(Displayed):
 
 
 class Worded(OneLine):
-    """An object that `str` puts into words, as `display` writes them. The words are given with the class, with fields
-    between braces: ``{name?yes|no}`` is one of two texts, depending on whether the field is true, and ``{name:, }`` its
-    parts with commas between them.
-    """
+    """An object that `str` puts into words, as `display` writes them."""
 
     __slots__ = ()
-    template: ClassVar[str] = ""
-
-    def __init_subclass__(cls, words: str = "") -> None:
-        cls.template = words
 
     def __str__(self) -> str:
         return _printers[0]("words", self) or fields_of(self)
@@ -132,8 +125,7 @@ class WordedData(Worded):
 
     __slots__ = ()
 
-    def __init_subclass__(cls, words: str = "") -> None:
-        super().__init_subclass__(words)
+    def __init_subclass__(cls) -> None:
         if WordedData not in cls.__bases__ and not issubclass(cls, Enum):
             dataclass(frozen=True, repr=False)(cls)
 

@@ -1,18 +1,12 @@
-"""Evidence of checks in words: by the template of its class, or by a function where a template is not enough. No other
-code reads these words.
-"""
+"""Evidence of checks in words. No other code reads these words."""
 
 from __future__ import annotations
 
-import re
 from enum import Enum
 from functools import singledispatch
-from operator import attrgetter
-from types import NoneType
 
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import ExactSplineError
-from exactspline.hooks import Worded
 from exactspline.language.kinds import constant_text
 from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq, point_text, text
@@ -24,15 +18,13 @@ from exactspline.symbolic.factorization import Factor
 from exactspline.verification import evidence as e
 from exactspline.verification.claim import Claim
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import At, Evidence, Found, OnExample
-from exactspline.verification.kinds.invariance import weight_text, with_article
+from exactspline.verification.evidence import At, Found, OnExample, Said
 from exactspline.verification.questions import Check, Proof
 from exactspline.verification.verdict import Finding
-from exactspline.verification.vocabulary import Counter, Verdict
+from exactspline.verification.vocabulary import Verdict
 
-_INNER = r"(?:[^{}|]|\{(?:[^{}]|\{[^{}]*\})*\})*"
-#: A field in a template: its name, and the templates between which it chooses, or the text between its parts.
-_FIELD = re.compile(rf"\{{([\w.]+)(?:\?({_INNER})\|?({_INNER})|:([^{{}}]*))?\}}")
+#: What a tuple has that is a point.
+_NUMBER = (type(mpq()), Real)
 
 
 def worded(item: Found | None, numbers: Numbers = EXACT) -> str:
@@ -68,35 +60,28 @@ def _(item: Real, numbers: Numbers = EXACT) -> str:
     return item.shortly()
 
 
-@words.register(str)
-@words.register(int)
-@words.register(NoneType)
-def _(item: object, numbers: Numbers = EXACT) -> str:
-    return "" if item is None else str(item)
-
-
 @words.register
 def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
     return numbers.within(str(item))
 
 
 @words.register
-def _(item: Evidence, numbers: Numbers = EXACT) -> str:
-    return str(item.value) if isinstance(item, Enum) else filled(item.template, item, numbers)
+def _(item: Enum, numbers: Numbers = EXACT) -> str:
+    return str(item.value)
 
 
-def filled(template: str, item: Worded, numbers: Numbers = EXACT) -> str:
-    """A template with the fields of a piece of evidence in words."""
+@words.register
+def _(item: Said, numbers: Numbers = EXACT) -> str:
+    return item.phrase.words(*[_as_taken(each, numbers) for each in item.about])
 
-    def field(match: re.Match[str]) -> str:
-        value = attrgetter(match[1])(item)
-        if match[2] is not None:
-            return filled(match[2] if value else match[3], item, numbers)
-        if match[4] is not None:
-            return match[4].join(words(each, numbers) for each in value)
-        return words(value, numbers)
 
-    return _FIELD.sub(field, template)
+def _as_taken(about: object, numbers: Numbers) -> object:
+    """What a phrase is about, as it takes it: names and counts as they are, everything else in words."""
+    if isinstance(about, str | int | None):
+        return about
+    if isinstance(about, tuple) and not any(isinstance(each, _NUMBER) for each in about):
+        return tuple(_as_taken(each, numbers) for each in about)
+    return words(about, numbers)
 
 
 @words.register
@@ -108,14 +93,16 @@ def _(item: Factor, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
+def _(item: e.At, numbers: Numbers = EXACT) -> str:
+    return f"at the parameter {numbers(item.parameter)}{' (from the left)' if item.from_left else ''}"
+
+
+@words.register
 def _(item: e.Between, numbers: Numbers = EXACT) -> str:
     near = numbers.common(item.low, item.high)
     if near:
         return f"near the parameter {near}"
     return f"between the parameters {numbers(item.low)} and {numbers(item.high)}"
-
-
-# ---- free arguments, and the part that was tried
 
 
 @words.register
@@ -125,21 +112,28 @@ def _(item: e.Chosen, numbers: Numbers = EXACT) -> str:
     return f"with {', '.join([*point, *constants])}"
 
 
-@words.register
-def _(item: e.AnyOperands, numbers: Numbers = EXACT) -> str:
-    if item.second_curve:
-        return "with any second curve"
-    free = [*(["point"] if item.point else []), *map(constant_text, item.constants)]
-    return f"with any {', '.join(free)}"
-
-
 # ---- witnesses of any kind of claim
+
+
+@words.register
+def _(item: e.Stopped, numbers: Numbers = EXACT) -> str:
+    return words(item.error, numbers)
 
 
 @words.register
 def _(item: e.HeldOn, numbers: Numbers = EXACT) -> str:
     stopped = f": {numbers.within(item.error.problem)}" if item.error else ""
     return f"it holds, but was tried on a part only: {words(item.part, numbers)}{stopped}"
+
+
+@words.register
+def _(item: e.OnExample, numbers: Numbers = EXACT) -> str:
+    return f"on the example {'surface' if item.surface else 'curve'} {item.name}: {worded(item.witness, numbers)}"
+
+
+@words.register
+def _(item: e.NoTheorem, numbers: Numbers = EXACT) -> str:
+    return f"not stated, {item.error.problem}"
 
 
 #: The number of terms shown of a polynomial.
@@ -157,6 +151,11 @@ def _is_one(factor: Found | None) -> bool:
 
 
 @words.register
+def _(item: e.Difference, numbers: Numbers = EXACT) -> str:
+    return f"{words(item.of)} by {numbers(item.by)} {words(item.at, numbers)}"
+
+
+@words.register
 def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
     stated = "·".join(power_text(name, exponent) for name, exponent in item.powers)
     return f"{stated} = 1 (polynomial: w = 1)" if item.is_one else stated
@@ -166,6 +165,11 @@ def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
 def _(item: e.Relating, numbers: Numbers = EXACT) -> str:
     factor = "" if _is_one(item.factor) else f"{words(item.factor, numbers)} · "
     return f"{item.left} = {factor}{item.right}"
+
+
+@words.register
+def _(item: e.ExactQuotient, numbers: Numbers = EXACT) -> str:
+    return f"the exact quotient is {words(item.quotient, numbers)}"
 
 
 @words.register
@@ -192,6 +196,16 @@ def _(item: e.DegreeFound, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
+def _(item: e.DegreeHere, numbers: Numbers = EXACT) -> str:
+    return str(item.degree)
+
+
+@words.register
+def _(item: e.ZeroHere, numbers: Numbers = EXACT) -> str:
+    return "0"
+
+
+@words.register
 def _(item: e.WrongDegree, numbers: Numbers = EXACT) -> str:
     degree = item.degree if item.degree >= 0 else "identically zero"
     wrong = f"{degree}, not {item.relation.bound(text(item.claimed))}"
@@ -201,39 +215,12 @@ def _(item: e.WrongDegree, numbers: Numbers = EXACT) -> str:
     return f"at {where}: {wrong}" if where else f"for every d: {wrong}"
 
 
-@words.register
-def _(item: e.Counted, numbers: Numbers = EXACT) -> str:
-    return ", ".join(_count(n, what) for n, what in item.numbers)
-
-
-def _count(n: int | None, what: Counter) -> str:
-    if n is None:
-        return f"infinitely many {what}"
-    number = f"{'−' if n < 0 else ''}{abs(n)}"
-    return f"degree {number}" if what == Counter.DEGREE else f"{number} {what}"
-
-
-@words.register
-def _(item: e.CoefficientIsZero, numbers: Numbers = EXACT) -> str:
-    what = "it" if item.index is None else f"coefficient {item.index}"
-    return f"{what} is zero for every curve of degree {item.degree}"
-
-
 # ---- zeros, signs, squares
 
 
 @words.register
-def _(item: e.SumOfSquares, numbers: Numbers = EXACT) -> str:
-    return f"a sum of {item.squares} squares" if item.squares > 1 else "a square"
-
-
-@words.register
-def _(item: e.Quotients, numbers: Numbers = EXACT) -> str:
-    quotients = [
-        f"{item.formula}/{name} = {'not proportional' if factor is None else words(factor, numbers)}"
-        for name, factor in item.by
-    ]
-    return ", ".join(quotients)
+def _(item: e.ZeroAt, numbers: Numbers = EXACT) -> str:
+    return f"zero {words(item.place, numbers)}"
 
 
 # ---- surfaces
@@ -247,29 +234,6 @@ def _(item: e.Rulings, numbers: Numbers = EXACT) -> str:
 
 
 # ---- contact, invariance, condition
-
-
-@words.register
-def _(item: e.ContactOrder, numbers: Numbers = EXACT) -> str:
-    return "none: it does not pass through the point" if item.order < 0 else item.relation.bound(item.order)
-
-
-@words.register
-def _(item: e.Weight, numbers: Numbers = EXACT) -> str:
-    return weight_text(item.under, item.weight)
-
-
-@words.register
-def _(item: e.UnderMap, numbers: Numbers = EXACT) -> str:
-    under = f"under {with_article(item.map)}"
-    if item.factor is None:
-        return f"{under} the sides differ"
-    return f"{under} it is {words(item.factor, numbers)} times what is claimed"
-
-
-@words.register
-def _(item: e.DifferUnder, numbers: Numbers = EXACT) -> str:
-    return f"under {with_article(item.map)} the sides differ {words(item.place, numbers)}"
 
 
 @words.register
@@ -351,7 +315,10 @@ def values_there(claim: Claim, finding: Finding) -> list[str]:
     return values
 
 
-def _parameter(evidence: Found | None) -> mpq | None:
+def _parameter(evidence: object) -> mpq | None:
     """The parameter of a place; None if the place is not a parameter."""
-    inner = next(filter(None, (getattr(evidence, name, None) for name in ("witness", "at", "place"))), None)
-    return evidence.parameter if isinstance(evidence, At) else inner and _parameter(inner)
+    if isinstance(evidence, At):
+        return evidence.parameter
+    fields = (getattr(evidence, name) for name in ("witness", "at", "place") if hasattr(evidence, name))
+    inner = evidence.about if isinstance(evidence, Said) else fields
+    return next((t for each in inner if (t := _parameter(each)) is not None), None)

@@ -26,18 +26,10 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import ASSUMPTIONS, Assumption, assumption, stated_assumption
 from exactspline.symbolic.factorization import sharing
+from exactspline.verification import phrases as say
 from exactspline.verification.decision import Statement
 from exactspline.verification.evaluation import Evaluation, evaluation, free_operands, on_segments, too_long
-from exactspline.verification.evidence import (
-    AnyOperands,
-    Evidence,
-    Fact,
-    FailsWithOthers,
-    OnExample,
-    OnPart,
-    Undefined,
-    UndefinedAt,
-)
+from exactspline.verification.evidence import Evidence, Fact, OnExample
 from exactspline.verification.notation import WEIGHTS, spelled
 from exactspline.verification.one_function import expect_functions, expect_functions_on
 from exactspline.verification.paper_curves import check_curve_name, curve_named, curve_names, one_patch_surfaces
@@ -537,7 +529,7 @@ class Claim(Immutable, Displayed):
             holds = not own.failing(self.curve, self.assumes) and self._is_proved(proof or self.prove)
             return finding if holds else self._on_all(self.equality, finding, own, part)
         if part and finding.verdict == REFUTED:
-            return replace(finding, witness=OnPart(finding.witness, part))
+            return replace(finding, witness=say.on_part(finding.witness, part))
         return finding
 
     def _is_proved(self, proof: Callable[[], tuple[Name, Finding]]) -> bool:
@@ -550,14 +542,14 @@ class Claim(Immutable, Displayed):
         """A finding on a part, decided on the whole curve with indeterminates for the free operands; undecided if too
         expensive.
         """
-        free = free_operands(self.curve) or AnyOperands()
+        free = free_operands(self.curve) or say.with_any(())
         try:
             for segment in on_segments(kind_of(self.curve), own.curve, self.highest_derivative(own.curve.dimension)):
                 if failing := [x for x in equality.residues(segment.argument) if not x.is_zero]:
-                    fails = FailsWithOthers(segment.place(failing[0]), free, part)
+                    fails = say.fails_with_others(segment.place(failing[0]), free, part)
                     return replace(finding, verdict=REFUTED, computed=Fact.NOT_SO, witness=fails)
         except VanishingDivisorError:
-            gone = UndefinedAt(free)
+            gone = say.undefined_there(free)
             broken = own.failing(self.curve, self.assumes)
             return inapplicable(broken, gone) if broken else vacuous(gone)
         except (FormulaError, ReachError) as error:
@@ -600,7 +592,7 @@ class Claim(Immutable, Displayed):
             value = self.find(name)(argument)
             parts = [value.directrix, value.generator] if isinstance(value, RuledSurface) else [value]
             if any(isinstance(part, Rational) and not all(part.denominator.numerators) for part in parts):
-                return Undefined(name)
+                return say.undefined(name)
         return None
 
     def only_component(self, name: str, components: Sequence[V]) -> V:

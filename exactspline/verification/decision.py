@@ -34,23 +34,9 @@ from exactspline.splines.inputs import checked_degree
 from exactspline.splines.lowest_terms import common_factor
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import find_factor
+from exactspline.verification import phrases as say
 from exactspline.verification.evaluation import place_between, segment
-from exactspline.verification.evidence import (
-    At,
-    AtBoth,
-    ComponentDiffers,
-    Components,
-    Difference,
-    Evidence,
-    Fact,
-    NoGenerator,
-    OneSurface,
-    Place,
-    Rulings,
-    Sides,
-    StatedFactor,
-    SumOfSquares,
-)
+from exactspline.verification.evidence import At, Difference, Evidence, Fact, Place, Rulings, Sides, StatedFactor
 from exactspline.verification.notation import WEIGHTS, factor_formulas, factor_of_text, factor_parts
 from exactspline.verification.verdict import PROVED, REFUTED, Finding, vacuous
 from exactspline.verification.vocabulary import Name, Verdict
@@ -58,7 +44,7 @@ from exactspline.verification.vocabulary import Name, Verdict
 
 def where_it_differs(
     difference: BSpline | TensorSpline, divisors: Sequence[BSpline | TensorSpline] = ()
-) -> tuple[mpq, At | AtBoth]:
+) -> tuple[mpq, Place]:
     """The value of a nonzero spline divided by others at a parameter (a pair for splines in two parameters) at which
     none of them vanishes; no divisor vanishes on a whole segment.
     """
@@ -68,14 +54,14 @@ def where_it_differs(
     return value, At(t)
 
 
-def _not_zero_at_both(f: TensorSpline, divisors: Sequence[TensorSpline]) -> tuple[mpq, AtBoth]:
+def _not_zero_at_both(f: TensorSpline, divisors: Sequence[TensorSpline]) -> tuple[mpq, Place]:
     n = sum(g.degree.t * len(g.meshes[0]) for g in (f, *divisors))
     # in every segment one line more than the number of lines of zeros that a patch can have
     inside = (c + (d - c) / mpq(j) for c, d in pairwise(f.meshes[1].breaks) for j in range(2, n + 3))
     lines = ((t, f.at_t(t), [g.at_t(t) for g in divisors]) for t in inside)
     t, line, below = next(x for x in lines if not (x[1].is_zero or any(g.vanishes_somewhere for g in x[2])))
     s, value = _not_zero(line, below)
-    return value, AtBoth(s, t)
+    return value, say.at_both(s, t)
 
 
 def _not_zero(f: BSpline, divisors: Sequence[BSpline]) -> tuple[mpq, mpq]:
@@ -242,7 +228,7 @@ class Equation:
                 return Finding(REFUTED, Fact.DIVIDED_BY_ZERO, witness=Fact.FACTOR_DIVIDED_BY_ZERO)
             case Outcome.UNLIKE:
                 sizes = (len(split(each(c))[0]) for each in (self.left, self.right))
-                return Finding(REFUTED, Components(*sizes), witness=Fact.OTHER_NUMBER_OF_COMPONENTS)
+                return Finding(REFUTED, say.components(*sizes), witness=Fact.OTHER_NUMBER_OF_COMPONENTS)
         where = _where(found.difference, Sides.SIDES, found.component, found.divisors)
         return Finding(REFUTED, Fact.NOT_IDENTICAL, None if general else factor, where)
 
@@ -291,13 +277,13 @@ class OneRuledSurface:
         a, b = _ruled(self.left, c), _ruled(self.right, c)
         for surface, formula in ((a, self.left), (b, self.right)):
             if _vanish_together(split(surface.generator)[0]):
-                return vacuous(NoGenerator(Name(formula.name) if holds is PROVED else None))
+                return vacuous(say.no_generator(Name(formula.name)) if holds is PROVED else Fact.NO_GENERATOR)
         if isinstance(split(a.generator)[0][0], JetFraction):
             return self._by_quotients(a, b, holds)
         for x in self.residues(c):
             if not x.is_zero:
                 return Finding(REFUTED, Fact.TWO_SURFACES, witness=_where(x, Sides.SURFACES))
-        return Finding(holds, OneSurface())
+        return Finding(holds, Fact.ONE_SURFACE)
 
     def residues(self, c: Evaluated) -> list[JetFraction]:
         """The components of the vector products with a generator."""
@@ -312,7 +298,7 @@ class OneRuledSurface:
         scale, shift = find_factor(b.generator, a.generator), find_factor(offset, a.generator)
         if scale is None or shift is None:
             return Finding(REFUTED, Fact.TWO_SURFACES, witness=Fact.GENERATORS_APART)
-        return Finding(holds, OneSurface(), Rulings(scale, None if offset.is_zero else shift))
+        return Finding(holds, Fact.ONE_SURFACE, Rulings(scale, None if offset.is_zero else shift))
 
 
 @dataclass(frozen=True)
@@ -393,7 +379,7 @@ class SquaresAddUp:
         if found.outcome is Outcome.NOTHING:
             return vacuous()
         if found.outcome is Outcome.EQUAL:
-            return Finding(holds, SumOfSquares(len(self.squares)))
+            return Finding(holds, say.sum_of_squares(len(self.squares)))
         return Finding(REFUTED, Fact.OTHER_SQUARES)
 
 
@@ -443,7 +429,7 @@ def _where(difference: Any, of: Sides, component: int = 0, divisors: Sequence[An
         return Difference(of, *where_it_differs(difference, divisors))
     if of is Sides.SURFACES:
         return Fact.GENERATORS_APART
-    return ComponentDiffers(component + 1, from_zero=of is Sides.ZERO)
+    return say.component_is_not_zero(component + 1) if of is Sides.ZERO else say.component_differs(component + 1)
 
 
 def _parts(value: Any) -> tuple[Any, Any]:

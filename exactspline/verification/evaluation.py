@@ -48,21 +48,8 @@ from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
-from exactspline.verification.evidence import (
-    AnyOperands,
-    AssumptionFails,
-    At,
-    Between,
-    Chosen,
-    Evidence,
-    Fact,
-    On,
-    OnAllOf,
-    OnPatch,
-    OnWholePatch,
-    Place,
-    TooLong,
-)
+from exactspline.verification import phrases as say
+from exactspline.verification.evidence import At, Between, Chosen, Evidence, Fact, Place, Said
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
 # ---- the arguments
@@ -177,7 +164,7 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> _Given:
     return _Given(handed, chosen, chosen)
 
 
-def free_operands(kind: str) -> AnyOperands | None:
+def free_operands(kind: str) -> Evidence | None:
     """The free operands next to the curve in arguments of a kind; None if there are none.
 
     >>> for kind in ("plane pair", "plane point", "plane with delta"):
@@ -188,18 +175,18 @@ def free_operands(kind: str) -> AnyOperands | None:
     """
     asked = kind_of(kind)
     if isinstance(asked, PairKind):
-        return AnyOperands(second_curve=True)
+        return Fact.ANY_SECOND_CURVE
     with_point = isinstance(asked, CurveKind) and asked.with_point
     if not with_point and not asked.constants:
         return None
-    return AnyOperands(point=with_point, constants=tuple(map(Name, asked.constants)))
+    return say.with_any((*[Name("point")] * with_point, *map(Name, asked.constants)))
 
 
 #: The largest degree in a parameter to which formulas are multiplied out on single surfaces.
 LARGEST = 100
 
 
-def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | None:
+def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> Said | None:
     """The first formula whose value as written has too high a degree on a surface; None if there is none.
 
     >>> from exactspline.papers import find
@@ -212,7 +199,7 @@ def too_long(formulas: Iterable[Formula], surface: NurbsSurface) -> TooLong | No
             reading = DegreeReading(parameter=parameter)
             degree = reading.count(formula, surface.dimension, polynomial=surface.polynomial)
             if (n := degree.at(dict.fromkeys(degree.names, d))) > LARGEST:
-                return TooLong(Name(formula.name), n, parameter)
+                return say.too_long(Name(formula.name), n, parameter)
     return None
 
 
@@ -230,7 +217,7 @@ class Evaluation:
         self.curve: Any = curve
         self._arguments: dict[str, _Given] = {}
         self._pair: Evaluated | None = None
-        self._failing: dict[tuple[str, Assumption], AssumptionFails | None] = {}
+        self._failing: dict[tuple[str, Assumption], Said | None] = {}
 
     def given(self, kind: str) -> _Given:
         """The argument of formulas of a kind, which memoizes their values, with its description."""
@@ -260,14 +247,14 @@ class Evaluation:
             self._pair = surface_pair(self.curve, moved_copy(self.curve)).remembering()
         return self._pair
 
-    def failing(self, kind: str, assumed: Iterable[Assumption]) -> AssumptionFails | None:
+    def failing(self, kind: str, assumed: Iterable[Assumption]) -> Said | None:
         """The first assumption that fails on this curve, with the place; None when all hold."""
         for each in assumed:
             if (kind, each) not in self._failing:
                 on_surface = isinstance(self.curve, NurbsSurface)
                 own = self._assumed_of(kind)
                 place = fails_on_surface(each, each.polynomial(own)) if on_surface else _fails(each, own)
-                self._failing[kind, each] = AssumptionFails(each, place) if place else None
+                self._failing[kind, each] = say.vanishes(Name(each.subject), place) if place else None
             if failing := self._failing[kind, each]:
                 return failing
         return None
@@ -315,7 +302,7 @@ def _fails_on_pair(each: Assumption, value: TensorSpline) -> Place | None:
     one, so that one line of constant parameter decides.
     """
     if not each.everywhere:
-        return None if all(value.numerators) else OnWholePatch()
+        return None if all(value.numerators) else say.on_whole_patch()
     other = PARAMETERS[0 if each.second else 1]
     if not value.d(1, by=other).is_zero:
         return fails_on_surface(each, value)
@@ -332,17 +319,17 @@ def fails_on_surface(each: Assumption, value: TensorSpline) -> Place | None:
     for form, (i, j) in ((value.patch_form(*patch), patch) for patch in patches):
         if not each.everywhere:
             if form.is_zero:
-                return OnWholePatch()
+                return say.on_whole_patch()
             continue
         sign = Sign.ZERO if form.is_zero else sign_on_patch(form).sign
         if sign not in (Sign.POSITIVE, Sign.NEGATIVE):
-            return OnPatch(i, j, possibly=sign is Sign.UNDECIDED)
+            return say.possibly_on_patch(i, j) if sign is Sign.UNDECIDED else say.on_patch(i, j)
     return None
 
 
-def segment(f: BSpline, i: int) -> OnAllOf:
+def segment(f: BSpline, i: int) -> Said:
     """A whole segment."""
-    return OnAllOf(*f.breakpoints[i : i + 2])
+    return say.on_all_of(*f.breakpoints[i : i + 2])
 
 
 def zero_of(f: BSpline) -> Place | None:
@@ -435,11 +422,11 @@ class OnSegment(NamedTuple):
     high: mpq
 
     @property
-    def interval(self) -> On:
+    def interval(self) -> Said:
         """The segment as a place."""
-        return On(self.low, self.high)
+        return say.somewhere_on(self.low, self.high)
 
-    def place(self, value: JetFraction) -> At | On:
+    def place(self, value: JetFraction) -> At | Said:
         """A parameter at which a nonzero value does not vanish (for some values of the free operands), or the interval
         if no such parameter is found quickly.
         """

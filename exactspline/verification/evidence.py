@@ -1,23 +1,25 @@
-"""The results of checks as data: computed values, and witnesses of failures. Only `exactspline.display.evidence` puts
-them into words, if possible by the template of their class, and no code reads those words.
+"""The results of checks as data: computed values, and witnesses of failures. What code reads has a class; everything
+else is `Said`. Only `exactspline.display.evidence` puts them into words, and no code reads those words.
 
 The fields are numbers, names, members of enumerations, and objects of algebra.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
+from functools import update_wrapper
+from typing import Any, Generic, TypeVarTuple
 
 from exactspline.errors import ExactSplineError
 from exactspline.hooks import WordedData
-from exactspline.language.operand import Parameter
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
-from exactspline.reals.real import Real
-from exactspline.symbolic.assumptions import Assumption
 from exactspline.symbolic.factorization import Factor
-from exactspline.verification.vocabulary import Counter, Group, Name, Relation, Sign, ValueType
+from exactspline.verification.vocabulary import Name, Relation
+
+Ts = TypeVarTuple("Ts")
 
 
 class Evidence(WordedData):
@@ -39,6 +41,7 @@ class Fact(Evidence, Enum):
     NOT_ISOLATED = "a side vanishes on a whole segment, whose points have no condition number"
     NO_JOINT = "one segment: nothing is joined"
     NOT_HERE = "does not exist here"
+    NO_GENERATOR = "no surface: the generator vanishes"
     # true statements
     ZERO = "0"
     NONE_VANISHES = "none vanishes"
@@ -50,6 +53,7 @@ class Fact(Evidence, Enum):
     SQUARE = "a square"
     SQUARES_ONE_WITHOUT_ZERO = "a sum of squares, one without a zero"
     ONE_ZERO_SET = "one zero set"
+    ONE_SURFACE = "one surface"
     CURVE_OF_ZERO_ZETA = "the curve ζ = 0"
     APPLIES = "it applies"
     AS_CLAIMED = "as claimed"
@@ -100,18 +104,49 @@ class Fact(Evidence, Enum):
     NOT_OF_THIS_JUDGE = "not asked: it decides equalities alone"
     COQ_NOT_INSTALLED = "Coq is not installed"
     NOT_ACCEPTED = "not accepted"
-    # the part that was tried
+    # the part that was tried, and the operands for which it was not
     FIRST_SEGMENTS = "first segment, with its moved copy"
     FIRST_PATCH = "the first patch"
     ONE_LINE = "one value of the other parameter"
     AS_HODOGRAPH = "as u, v and h of a hodograph"
     WITH_ITSELF = "with itself"
+    ANY_SECOND_CURVE = "with any second curve"
+
+
+class Said(Evidence):
+    """A phrase, and the things that it is about."""
+
+    phrase: Phrase[*tuple[Any, ...]]
+    about: tuple[object, ...]
+
+
+class Phrase(Generic[*Ts]):
+    """A sentence about things of these types, written as the function that returns it. A call only keeps the things:
+    the sentence is made where it is printed, by `words` of names and counts as they are, and of everything else in
+    words, since there it is known how numbers are written.
+
+    >>> from exactspline.verification.phrases import vanishes_always
+    >>> said = vanishes_always("f1")
+    >>> said.about, str(said)
+    (('f1',), 'f1 vanishes on every curve')
+    """
+
+    def __init__(self, words: Callable[[*Ts], str]) -> None:
+        self.words = words
+        update_wrapper(self, words)
+
+    def __call__(self, *about: *Ts) -> Said:
+        """The phrase about these things."""
+        return Said(self, about)
+
+    def __reduce__(self) -> str:
+        return self.words.__name__
 
 
 # ---- places
 
 
-class At(Evidence, words="at the parameter {parameter}{from_left? (from the left)}"):
+class At(Evidence):
     """One parameter; `from_left` where the limit from the left is meant."""
 
     parameter: mpq
@@ -125,43 +160,7 @@ class Between(Evidence):
     high: mpq
 
 
-class OnAllOf(Evidence, words="on all of [{low}, {high}]"):
-    """A whole segment."""
-
-    low: mpq
-    high: mpq
-
-
-class On(Evidence, words="on [{low}, {high}]"):
-    """An unknown place on a segment."""
-
-    low: mpq
-    high: mpq
-
-
-class AtBoth(Evidence, words="at the parameters {s} and {t}"):
-    """Values of two parameters."""
-
-    s: mpq
-    t: mpq
-
-
-class OnPatch(Evidence, words="{possibly?possibly }on patch {i}, {j}"):
-    """A patch by its indices; `possibly` where signs could not be decided."""
-
-    i: int
-    j: int
-    possibly: bool = False
-
-
-class OnWholePatch(Evidence, words="on a whole patch"):
-    """Some patch as a whole."""
-
-
-Place = At | Between | OnAllOf | On | AtBoth | OnPatch | OnWholePatch
-
-
-# ---- free arguments, and the part that was tried
+Place = At | Between | Said
 
 
 class Chosen(Evidence):
@@ -171,50 +170,13 @@ class Chosen(Evidence):
     constants: tuple[tuple[Name, mpq], ...] = ()
 
 
-class AnyOperands(Evidence):
-    """The free operands in addition to the curve: a second curve, or a point and constants."""
-
-    second_curve: bool = False
-    point: bool = False
-    constants: tuple[Name, ...] = ()
-
-
-class UnderEvery(Evidence, words="under every {group}"):
-    """Every element of a group."""
-
-    group: Group
-
-
-class ForDegrees(Evidence, words="d = {first}…{last}"):
-    """The degrees for which something was tried."""
-
-    first: int
-    last: int
-
-
 # ---- witnesses of any kind of claim
 
 
-class Stopped(Evidence, words="{error}"):
+class Stopped(Evidence):
     """A decision that ended in an error."""
 
     error: ExactSplineError
-
-
-class LeftToTheProof(Evidence, words="decided by the proof for all curves: {why}"):
-    """Not tried: the proof for all curves decides it."""
-
-    why: Evidence
-
-
-class TooLong(
-    Evidence, words="{formula} as written has degree {degree} in {parameter} there, too high to be multiplied out"
-):
-    """A formula whose value as written has too high a degree in a parameter to be multiplied out."""
-
-    formula: Name
-    degree: int
-    parameter: Parameter
 
 
 class HeldOn(Evidence):
@@ -224,7 +186,7 @@ class HeldOn(Evidence):
     error: ExactSplineError | None = None
 
 
-class OnExample(Evidence, words="on the example {surface?surface|curve} {name}: {witness}"):
+class OnExample(Evidence):
     """A witness on an example."""
 
     name: Name
@@ -232,65 +194,7 @@ class OnExample(Evidence, words="on the example {surface?surface|curve} {name}: 
     surface: bool = False
 
 
-class OnPart(Evidence, words="{witness}{witness?, }{part}"):
-    """A witness on a part."""
-
-    witness: Evidence | None
-    part: Evidence
-
-
-class FailsWithOthers(Evidence, words="it fails {place} {operands}, though not {part}"):
-    """It fails at a place for some additional operands, though not for those that were tried."""
-
-    place: Place
-    operands: AnyOperands
-    part: Evidence
-
-
-class Refutes(Evidence, words="proved for all curves, but refuted: {witness}"):
-    """A witness against a statement proved for all curves."""
-
-    witness: Evidence | None
-
-
-class JudgesDisagree(Evidence, words="proved by {proved}, but refuted by {refuted}{witness?: }{witness}"):
-    """One verifier proves a claim that another one refutes."""
-
-    proved: Name
-    refuted: Name
-    witness: Evidence | None
-
-
-class AssumptionFails(Evidence, words="{assumption.subject} vanishes {place}"):
-    """An assumption that fails on this curve."""
-
-    assumption: Assumption
-    place: Place
-
-
-class Undefined(Evidence, words="{formula} does not exist on all of this curve: 0/0"):
-    """A formula that does not exist on the whole curve."""
-
-    formula: Name
-
-
-class UndefinedAt(Evidence, words="it does not exist {where}: 1/0"):
-    """A value with a division by zero on a segment, or for all operands."""
-
-    where: On | AnyOperands
-
-
-# ---- proof assistants
-
-
-class Theorem(Evidence, words="{axioms?axioms {axioms:, }|no axioms}"):
-    """A theorem that a kernel accepted, and the axioms that it uses."""
-
-    name: Name
-    axioms: tuple[Name, ...] = ()
-
-
-class NoTheorem(Evidence, words="not stated, {error.problem}"):
+class NoTheorem(Evidence):
     """The reason why a claim is not stated as a theorem."""
 
     error: ExactSplineError
@@ -311,12 +215,12 @@ class Sides(Evidence, Enum):
     SURFACES = "they differ"
 
 
-class Difference(Evidence, words="{of} by {by} {at}"):
+class Difference(Evidence):
     """The difference of two sides at one place."""
 
     of: Sides
     by: mpq
-    at: At | AtBoth
+    at: Place
 
 
 class StatedFactor(Evidence):
@@ -334,50 +238,16 @@ class Relating(Evidence):
     right: Name
 
 
-class ExactQuotient(Evidence, words="the exact quotient is {quotient}"):
+class ExactQuotient(Evidence):
     """The true quotient of two sides."""
 
     quotient: Factor
-
-
-class Components(Evidence, words="{left} components, and {right}"):
-    """Vectors of different numbers of components."""
-
-    left: int
-    right: int
-
-
-class ComponentDiffers(Evidence, words="component {component} {from_zero?is not zero|differs}"):
-    """The first component (counted from 1) in which two sides differ, or that is not zero."""
-
-    component: int
-    from_zero: bool = False
 
 
 class Remainder(Evidence):
     """A differential polynomial that is not zero."""
 
     polynomial: Jet
-
-
-class NotItsDefinition(Evidence, words="{formula} is not {definition}"):
-    """A formula that does not equal its definition."""
-
-    formula: Name
-    definition: Name
-
-
-class RationalForm(Evidence, words="{formula} is a quotient of polynomials in the curve, and is {definition}"):
-    """A formula that is a quotient of polynomials, and the definition claimed not to be one."""
-
-    formula: Name
-    definition: Name
-
-
-class RationalOfDegree(Evidence, words="rational of degree {degree}"):
-    """Rational of some degree on this curve."""
-
-    degree: int
 
 
 # ---- degrees and counts
@@ -396,7 +266,7 @@ class DegreeFound(Evidence):
     zero: tuple[int, ...] = ()
 
 
-class DegreeHere(Evidence, words="{degree}"):
+class DegreeHere(Evidence):
     """The degree of splines, and the claimed number."""
 
     degree: int
@@ -404,7 +274,7 @@ class DegreeHere(Evidence, words="{degree}"):
     relation: Relation
 
 
-class ZeroHere(Evidence, words="0"):
+class ZeroHere(Evidence):
     """A value that is 0, so that it has no degree, and the claimed number."""
 
     claimed: int
@@ -422,154 +292,16 @@ class WrongDegree(Evidence):
     at: tuple[tuple[Name, int], ...] | None = None
 
 
-class Counted(Evidence):
-    """Numbers of a caption; None if there is none."""
-
-    numbers: tuple[tuple[int | None, Counter], ...]
-
-
-class CoefficientIsZero(Evidence):
-    """A coefficient that is zero for every curve of a degree (None: all coefficients are)."""
-
-    degree: int
-    index: int | None = None
-
-
-class OnlyForDegrees(Evidence, words="none vanishes for {degrees}"):
-    """No coefficient vanishes for some degrees."""
-
-    degrees: ForDegrees
-
-
-class ZeroCoefficient(Evidence, words="coefficient {index} of {formula} {segment} is {value}"):
-    """A Bézier coefficient of a formula on a segment of this curve that is zero, or has another sign."""
-
-    formula: Name
-    index: int
-    segment: On
-    value: mpq
-
-
 # ---- zeros, signs, squares
 
 
-class VanishesAlways(Evidence, words="{formula} vanishes on every curve"):
-    """A formula that vanishes on every curve."""
-
-    formula: Name
-
-
-class VanishesAlone(Evidence, words="{formula} vanishes {place}, {other} does not"):
-    """A zero of one formula that is not a zero of another."""
-
-    formula: Name
-    place: Place | AlongLine
-    other: Name
-
-
-class ZerosOf(Evidence, words="{factors?where {factors: or } vanishes|nowhere}"):
-    """The irreducible factors on whose zeros formulas vanish together."""
-
-    factors: tuple[Name, ...]
-
-
-class MayVanish(Evidence, words="{factors: and } may have zeros{assume?: assume {assume: and }}"):
-    """Irreducible factors that prevent a proof, and the assumptions that exclude their zeros."""
-
-    factors: tuple[Name, ...]
-    assume: tuple[Name, ...] = ()
-
-
-class AlongLine(Evidence, words="{place}, at {parameter} = {value} of the other curve,"):
-    """A place on one of two curves, the point on the other being fixed."""
-
-    place: Place
-    parameter: Parameter
-    value: mpq
-
-
-class ZeroAt(Evidence, words="zero {place}"):
+class ZeroAt(Evidence):
     """A zero."""
 
     place: Place
 
 
-class Value(Evidence, words="{value?{value}|∞}"):
-    """A value: a number, or the components of a vector; nothing for ∞."""
-
-    value: tuple[mpq | Real, ...]
-
-
-class ValueAt(Evidence, words="{squared?its length has the square|it is} {value?{value}|∞} {place}"):
-    """A value at a place; `squared` if it is the square of a length."""
-
-    value: tuple[mpq, ...]
-    place: Place
-    squared: bool = False
-
-
-class HasSign(Evidence, words="{sign}"):
-    """A sign."""
-
-    sign: Sign
-
-
-class SumOfSquares(Evidence):
-    """A sum of this many squares."""
-
-    squares: int
-
-
-class Quotients(Evidence):
-    """The quotients of one formula by others; None for a formula that is not proportional."""
-
-    formula: Name
-    by: tuple[tuple[Name, Factor | None], ...]
-
-
-class OddPowers(Evidence, words="odd powers of {names:·}"):
-    """Irreducible factors that occur an odd number of times."""
-
-    names: tuple[Name, ...]
-
-
-class Squares(
-    Evidence, words="{formula} is a square up to a constant on {squares} of {segments} segments{zero?, 0 on {zero}}"
-):
-    """The number of segments on which a formula is a square up to a constant, and of those on which it is 0."""
-
-    formula: Name
-    squares: int
-    segments: int
-    zero: int
-
-
-class SquareOnSegment(Evidence, words="on segment {segment} one is a square and the other is not"):
-    """A segment on which one of two formulas is a square and the other is not."""
-
-    segment: int
-
-
 # ---- surfaces
-
-
-class OneSurface(Evidence, words="one surface{but?, except where {but: or } vanishes}"):
-    """One surface, except where irreducible factors vanish."""
-
-    but: tuple[Name, ...] = ()
-
-
-class OneSurfaceBut(Evidence, words="one surface, except {place}, where the generator of {formula} vanishes"):
-    """One surface, except where the generator of a formula vanishes."""
-
-    place: Place
-    formula: Name
-
-
-class NoGenerator(Evidence, words="no surface: the generator{formula? of }{formula} vanishes{formula? on every curve}"):
-    """A generator that vanishes: that of a formula on every curve, or (None) on a whole segment of this one."""
-
-    formula: Name | None = None
 
 
 class Rulings(Evidence):
@@ -582,114 +314,10 @@ class Rulings(Evidence):
 # ---- contact, invariance, condition
 
 
-class ContactOrder(Evidence):
-    """An order of contact (−1: the object does not pass through the point)."""
-
-    order: int
-    relation: Relation = Relation.EQUAL
-
-
-class AtLeast(Evidence, words="at least {order}"):
-    """At least this order."""
-
-    order: int
-
-
-class Vanishes(Evidence, words="0 {where}"):
-    """A value that is 0 on a segment."""
-
-    where: On
-
-
-class DerivativeAt(
-    Evidence,
-    words="{order?the derivative of order {order} in s̄|the value} is {is_zero?= 0|≠ 0} at s̄ = s"
-    "{place? {place}|{is_zero? on every curve}}",
-):
-    """A derivative with respect to s̄ at s̄ = s that is zero on every curve, or one that is not (at a place, on one
-    curve).
-    """
-
-    order: int
-    is_zero: bool = False
-    place: At | On | None = None
-
-
-class Weight(Evidence):
-    """The power of the unit of a group by which a value is multiplied."""
-
-    under: Group
-    weight: int
-
-
-class UnderMap(Evidence):
-    """The value under a map: a multiple of the claimed one, or (None) another one."""
-
-    map: Name
-    factor: Factor | None = None
-
-
-class DifferUnder(Evidence):
-    """The place where the sides differ under a map."""
-
-    map: Name
-    place: At | On
-
-
 class Conditions(Evidence):
     """Enclosures of two condition numbers, zero by zero."""
 
     pairs: tuple[tuple[Enclosure, Enclosure], ...]
-
-
-class NotBetter(Evidence, words="not better {place}"):
-    """A zero at which the condition number is not smaller."""
-
-    place: Place
-
-
-# ---- types
-
-
-class OfType(Evidence, words="{type}"):
-    """The type of a value."""
-
-    type: ValueType
-
-
-class TypeOnExample(
-    Evidence,
-    words="{type} {curve?on the example curve {curve}|for cubic polynomials}{rational_everywhere?; "
-    f"{Fact.MADE_BY_ARITHMETIC.value}}}",
-):
-    """The type on an example curve, or on cubic polynomials where the name is empty; `rational_everywhere` where the
-    value is a quotient of polynomials on every curve.
-    """
-
-    type: ValueType
-    curve: Name
-    rational_everywhere: bool
-
-
-class TypeHere(Evidence, words="it is {type} on {special?it, as it may be on special curves|this curve}"):
-    """The type on the given curve; `special` if this type is more special than that on the generic curve."""
-
-    type: ValueType
-    special: bool = False
-
-
-class OfKind(Evidence, words="its arguments are of the kind '{kind}'"):
-    """The kind of argument of a formula."""
-
-    kind: Name
-
-
-class OfAnotherKind(Evidence, words="{formula} is a formula of '{kind}', not of '{asked}'"):
-    """A formula, the kind of its argument, and the requested kind."""
-
-    formula: Name
-    kind: Name
-    asked: Name
 
 
 #: The type of a computed result: evidence, or a factor of differential polynomials.

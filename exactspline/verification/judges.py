@@ -16,9 +16,10 @@ from exactspline.language.kinds import kind_of
 from exactspline.polynomials.cost import within_seconds
 from exactspline.readings.sympy_expression import SympyReading
 from exactspline.symbolic.factorization import without_denominator
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim
 from exactspline.verification.combined import fitting
-from exactspline.verification.evidence import Fact, JudgesDisagree
+from exactspline.verification.evidence import Fact
 from exactspline.verification.kinds.equality import Identity
 from exactspline.verification.ledger import Row
 from exactspline.verification.notation import factor_formulas
@@ -113,7 +114,7 @@ def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:
         return own
     proved, refuted = (first, second) if own.verdict == PROVED else (second, first)
     witness = own.witness if own.verdict == REFUTED else other.witness
-    return replace(own, verdict=CONTRADICTION, witness=JudgesDisagree(proved, refuted, witness))
+    return replace(own, verdict=CONTRADICTION, witness=say.judges_disagree(proved, refuted, witness))
 
 
 def second_opinion(judge: Judge, own: Row, limit: int | None = None) -> Row:

@@ -10,7 +10,8 @@ from itertools import product
 
 from exactspline.errors import ExactSplineError, InapplicableError, ReachError
 from exactspline.one_line import OneLine
-from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, LeftToTheProof, Refutes, Stopped
+from exactspline.verification import phrases as say
+from exactspline.verification.evidence import Evidence, Fact, Found, HeldOn, Stopped
 from exactspline.verification.vocabulary import Name, Reason, Relation, Verdict
 
 PROVED, VERIFIED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.VERIFIED, Verdict.REFUTED, Verdict.UNDECIDED
@@ -48,7 +49,7 @@ def undecided(error: ExactSplineError) -> Finding:
 
 def left(why: Evidence) -> Finding:
     """The finding on a curve that is not tried, since the proof for all curves decides the claim."""
-    return Finding(UNDECIDED, witness=LeftToTheProof(why), reason=Reason.LEFT)
+    return Finding(UNDECIDED, witness=say.left_to_the_proof(why), reason=Reason.LEFT)
 
 
 def sampled(finding: Finding, part: Evidence, stopped_by: ExactSplineError | None = None) -> Finding:
@@ -96,4 +97,4 @@ def compared(proof: Finding, refutation: Finding) -> Finding:
     """
     if proof.verdict != PROVED:
         return refutation
-    return replace(refutation, verdict=CONTRADICTION, witness=Refutes(refutation.witness))
+    return replace(refutation, verdict=CONTRADICTION, witness=say.refutes(refutation.witness))

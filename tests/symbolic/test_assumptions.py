@@ -11,8 +11,9 @@ from exactspline.language.kinds import CURVE, PAIR, SPACE, kind_of
 from exactspline.readings import JetReading
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption, zero_free
 from exactspline.symbolic.factorization import named_by
+from exactspline.verification import phrases as say
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import Fact, NoGenerator, Undefined, UndefinedAt
+from exactspline.verification.evidence import Fact, Said
 from tests.support.sampled import sample
 
 SEGMENT, PLANE_SEGMENT = [(0, 0, 0), (1, 0, 1), (2, 2, 0), (3, 1, 2)], [(0, 0), (1, 0), (2, 2), (3, 1)]
@@ -49,7 +50,7 @@ CHECKED = [
 
 
 #: What says that something does not exist.
-ABSENT = (NoGenerator, Undefined, UndefinedAt)
+ABSENT = (say.no_generator, say.undefined, say.undefined_there)
 
 
 @cache
@@ -63,8 +64,9 @@ def does_not_exist(claim, own):
         return gone
     found = claim.check(own)
     nothing = found.verdict in (Verdict.VACUOUS, Verdict.INAPPLICABLE)
-    gone = found.computed in (Fact.NO_SIDE, Fact.NO_FACTOR, Fact.NOT_HERE)
-    return found.computed if nothing and (gone or isinstance(found.computed, ABSENT)) else None
+    gone = found.computed in (Fact.NO_SIDE, Fact.NO_FACTOR, Fact.NOT_HERE, Fact.NO_GENERATOR)
+    said = isinstance(found.computed, Said) and found.computed.phrase in ABSENT
+    return found.computed if nothing and (gone or said) else None
 
 
 def findings(claim):

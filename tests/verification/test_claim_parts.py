@@ -184,7 +184,7 @@ def test_a_formula_is_missing_where_its_denominator_vanishes_on_one_segment():
         assert bool(one.missing(own.argument("plane"))) is bool(nowhere)
         gone += bool(nowhere)
         if nowhere:
-            assert one.missing(own.argument("plane")).formula in one.named
+            assert one.missing(own.argument("plane")).about[0] in one.named
     assert gone > 3
 
 

@@ -10,7 +10,8 @@ from exactspline.language import Vector, det, dot
 from exactspline.language.ruled import RuledSurface
 from exactspline.readings.leading_terms import generic_true_degree
 from exactspline.symbolic.assumptions import ASSUMPTIONS, assumption
-from exactspline.verification.evidence import Fact, OnAllOf, OnExample
+from exactspline.verification import phrases as say
+from exactspline.verification.evidence import Fact, OnExample
 from exactspline.verification.ledger import audit
 from tests.support.claims import lent, one_verdict, stated
 from tests.support.command import new_paper
@@ -172,9 +173,9 @@ def test_every_assumption_fails_somewhere_or_is_checked():
     from exactspline.verification.evaluation import Evaluation
 
     cusp, line, flat = (Evaluation(example(name)) for name in ("cusp", "straight_line", "flat_point"))
-    assert cusp.failing("plane", [ASSUMPTIONS["γ′"]]).assumption is ASSUMPTIONS["γ′"]
+    assert cusp.failing("plane", [ASSUMPTIONS["γ′"]]).about[0] == ASSUMPTIONS["γ′"].subject
     assert not cusp.failing("plane", [ASSUMPTIONS["γ′ ≢ 0"], ASSUMPTIONS["w"]])
-    assert isinstance(line.failing("plane", [ASSUMPTIONS["[γ′ γ″] ≢ 0"]]).place, OnAllOf)
+    assert line.failing("plane", [ASSUMPTIONS["[γ′ γ″] ≢ 0"]]).about[1].phrase is say.on_all_of
     assert flat.failing("space", [ASSUMPTIONS["γ′×γ″"]])
     pair = Evaluation(example("rational_space_cubic"))
     assert not pair.failing("pair", [ASSUMPTIONS[name] for name in ("w", "w̄", "γ′", "γ̄′", "[γ′ γ̄′ γ−γ̄] ≢ 0")])

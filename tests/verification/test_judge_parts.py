@@ -16,10 +16,11 @@ from exactspline.numbers.intervals import Interval
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import JetFraction, RationalJetReading
 from exactspline.symbolic.assumptions import Assumption
+from exactspline.verification import phrases as say
 from exactspline.verification.claims import stands_at
 from exactspline.verification.decision import Equation, Outcome, decide_identity
 from exactspline.verification.evaluation import Evaluation, fails_on_surface
-from exactspline.verification.evidence import ComponentDiffers, Components, Fact, HeldOn, OnPatch, OnWholePatch
+from exactspline.verification.evidence import Fact, HeldOn
 from exactspline.verification.kinds import examples
 from exactspline.verification.kinds.contact import partial_derivative, rank_of
 from exactspline.verification.kinds.degree import agreed_degree
@@ -60,10 +61,10 @@ def test_the_witness_of_an_identity_is_what_differs():
     other = formula("a test", on="curve")(lambda c: join(*c.p, c.w * 2))
     assert told(formula_of("f2"), formula_of("D1")) == (
         Verdict.REFUTED,
-        Components(1, 2),
+        say.components(1, 2),
         Fact.OTHER_NUMBER_OF_COMPONENTS,
     )
-    assert told(third, other) == (Verdict.REFUTED, Fact.NOT_IDENTICAL, ComponentDiffers(3))
+    assert told(third, other) == (Verdict.REFUTED, Fact.NOT_IDENTICAL, say.component_differs(3))
     nothing = formula("a test", on="curve")(lambda c: c.w - c.w)
     found = decide_identity(formula_of("f2")(jets(3)), formula_of("f2")(jets(3)), (jets(3).w, nothing(jets(3))))
     assert found.outcome is Outcome.NO_FACTOR
@@ -142,8 +143,9 @@ def test_where_an_assumption_fails_on_a_surface():
         return fails_on_surface(told, spline)
 
     assert [fails(net(1, 2, 2, 3), everywhere) for everywhere in (True, False)] == [None, None]
-    assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), None]
-    assert [fails(net(1, 2, 0, 0), everywhere) for everywhere in (True, False)] == [OnPatch(1, 0), OnWholePatch()]
+    assert [fails(net(1, 2, 2, -3), everywhere) for everywhere in (True, False)] == [say.on_patch(1, 0), None]
+    places = [fails(net(1, 2, 0, 0), everywhere) for everywhere in (True, False)]
+    assert places == [say.on_patch(1, 0), say.on_whole_patch()]
 
 
 def test_the_rank_of_a_matrix_of_quotients():
@@ -163,9 +165,9 @@ def test_the_rank_of_a_matrix_of_quotients():
 
 
 def test_what_was_tried_on_a_part_says_so():
-    found = sampled(Finding(Verdict.VERIFIED, Fact.NOTHING), OnPatch(0, 0))
+    found = sampled(Finding(Verdict.VERIFIED, Fact.NOTHING), say.on_patch(0, 0))
     assert (found.verdict, found.reason) == (Verdict.UNDECIDED, "tried on a part")
-    assert found.witness == HeldOn(OnPatch(0, 0))
+    assert found.witness == HeldOn(say.on_patch(0, 0))
 
 
 def test_a_place_is_not_one_with_more_digits():

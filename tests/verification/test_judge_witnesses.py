@@ -15,20 +15,11 @@ from exactspline.readings import parse_degree, trace
 from exactspline.readings.jet import RationalJetReading
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.tables import patch_table, table_1_splines
+from exactspline.verification import phrases as say
 from exactspline.verification.decision import DirectrixOf, Equation
 from exactspline.verification.divisors import divided_by, divisors
 from exactspline.verification.evaluation import Evaluation, on_segments
-from exactspline.verification.evidence import (
-    At,
-    DegreeFound,
-    Evidence,
-    ExactQuotient,
-    Fact,
-    JudgesDisagree,
-    OnExample,
-    OnPatch,
-    OnWholePatch,
-)
+from exactspline.verification.evidence import At, DegreeFound, Evidence, ExactQuotient, Fact, OnExample
 from exactspline.verification.judges import agreed
 from exactspline.verification.kinds.degree import held_against
 from exactspline.verification.kinds.types import on_cubics
@@ -91,7 +82,7 @@ def test_a_contradiction_names_who_proves_who_refutes_and_where(own):
     one, two = "one", "two"
     found = agreed(findings[0], one, findings[1], two)
     named = (one, two) if own is Verdict.PROVED else (two, one)
-    assert (found.verdict, found.witness) == (Verdict.CONTRADICTION, JudgesDisagree(*named, At(mpq(1))))
+    assert (found.verdict, found.witness) == (Verdict.CONTRADICTION, say.judges_disagree(*named, At(mpq(1))))
 
 
 # ---- equalities
@@ -217,9 +208,9 @@ def test_an_assumption_about_a_pair_fails_on_one_patch():
     def failing(spline, **options):
         told = Assumption("a", "a", "a", "a", lambda _: spline, ("pair",), **options)
         found = Evaluation(curve).failing("plane pair", [told])
-        return found if found is None else found.place
+        return found if found is None else found.about[1]
 
-    assert failing(net(1, 2, 0, 0), everywhere=False) == OnWholePatch()
+    assert failing(net(1, 2, 0, 0), everywhere=False) == say.on_whole_patch()
     assert failing(net(1, 2, 1, 0), everywhere=False) is None
 
 
@@ -235,8 +226,8 @@ def test_what_has_no_zero_has_none_for_any_other_parameter():
     for name, spline in (("both", both), ("first", alone), ("positive", both + 2)):
         told = Assumption(name, "a", "a", "a", lambda _, spline=spline: spline, ("pair",))
         found = Evaluation(curve).failing("plane pair", [told])
-        places[name] = found and found.place
-    assert places == {"both": OnPatch(0, 0), "first": At(mpq(1, 2)), "positive": None}
+        places[name] = found and found.about[1]
+    assert places == {"both": say.on_patch(0, 0), "first": At(mpq(1, 2)), "positive": None}
 
 
 # ---- invariance
@@ -380,7 +371,7 @@ def test_a_sign_is_that_of_the_squares(claimed, formula, sign):
 
 
 def test_evidence_is_a_value_that_cannot_be_changed():
-    class Made(Evidence, words="$number"):
+    class Made(Evidence):
         number: int
 
     made = Made(3)

@@ -16,6 +16,7 @@ from exactspline.symbolic.covariants import degree_at
 from exactspline.symbolic.reduction import reduce, reduction
 from exactspline.tables import measurable, measure, table_1_degrees
 from exactspline.verification import judges
+from exactspline.verification import phrases as say
 from exactspline.verification.claims import matches
 from exactspline.verification.decision import extra_zero, where_it_differs
 from exactspline.verification.degree_tables import (
@@ -27,7 +28,7 @@ from exactspline.verification.degree_tables import (
     measured_degrees,
 )
 from exactspline.verification.evaluation import beginning, moved_copy, pair_with, point_beside
-from exactspline.verification.evidence import At, Between, OnAllOf, Relating
+from exactspline.verification.evidence import At, Between, Relating
 from exactspline.verification.generic_proof import joined_degree
 from exactspline.verification.notation import degree_latex, factor_latex
 from exactspline.verification.statement import numbered, remarks, sides, symbol_or_name
@@ -88,7 +89,7 @@ def test_what_is_divided_is_not_said_to_be_the_difference():
     net = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, 1, 1], [[1, 2], [3, 5]])
     zero_on_lines = TensorSpline((1, 1), [0, 0, 1, 1], [0, 0, "1/2", 1, 1], [[1, 0, -1], [1, 0, -1]])
     value, at = where_it_differs(net, [zero_on_lines])
-    assert value == net(at.s, at.t) / zero_on_lines(at.s, at.t)
+    assert value == net(*at.about) / zero_on_lines(*at.about)
 
 
 def test_a_difference_of_two_parameters_is_found_wherever_it_is():
@@ -96,8 +97,8 @@ def test_a_difference_of_two_parameters_is_found_wherever_it_is():
     net = [[0, 0, 0, 0, 1], [0, 0, 0, 0, 1]]
     f = TensorSpline((1, 2), [0, 0, 1, 1], [0, 0, 0, "1/2", "3/4", 1, 1, 1], net)
     value, at = where_it_differs(f)
-    assert f(at.s, at.t) == value != 0
-    assert at.t > mpq(3, 4)
+    assert f(*at.about) == value != 0
+    assert at.about[1] > mpq(3, 4)
 
 
 def test_a_zero_that_the_other_does_not_have_is_found_with_its_place():
@@ -109,7 +110,7 @@ def test_a_zero_that_the_other_does_not_have_is_found_with_its_place():
     # 2t² − 1 vanishes in (0, 1), t − 1 at 1 alone
     assert isinstance(extra_zero(2 * T * T - 1, T - 1), Between)
     assert isinstance(extra_zero((2 * T * T - 1) * (T - 1), T - 1), Between)
-    assert extra_zero(T * 0, T) == OnAllOf(mpq(0), mpq(1))
+    assert extra_zero(T * 0, T) == say.on_all_of(mpq(0), mpq(1))
     assert extra_zero(T * 0, T * 0) is None
     shifted = BSpline.identity(2, 5)
     assert extra_zero(shifted - 3, shifted) == At(mpq(3))

@@ -168,7 +168,7 @@ def test_the_assumption_that_is_advised_proves_it_when_typed(tmp_path, bodies, c
     guilty = []
     for polynomial in bare.of.worlds:
         found = bare.decide(bare.dimensions[0], polynomial)
-        guilty += found.witness.assume if found.verdict == Verdict.UNDECIDED else ()
+        guilty += found.witness.about[1] if found.verdict == Verdict.UNDECIDED else ()
     if guilty:
         assert verdict(tmp_path / "b", *bodies, assumes=tuple(dict.fromkeys(guilty)), **more) == Verdict.PROVED
 

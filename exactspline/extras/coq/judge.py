@@ -11,8 +11,9 @@ from pathlib import Path
 
 from exactspline.display.forms import grouped
 from exactspline.extras.coq.emission import ROOT, Library, Stated, claims_header, library, why_unstated
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim
-from exactspline.verification.evidence import Fact, NoTheorem, Theorem
+from exactspline.verification.evidence import Fact, NoTheorem
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, Finding
 from exactspline.verification.vocabulary import Name
 
@@ -73,7 +74,7 @@ def _finding(each: Stated, compiled: Axioms, *, installed: bool) -> Finding:
         return Finding(UNDECIDED, witness=NoTheorem(each.reason))
     if each.name in compiled:
         verdict = REFUTED if each.claim.expected == REFUTED else PROVED
-        return Finding(verdict, Theorem(Name(each.name), compiled[each.name]))
+        return Finding(verdict, say.accepted_with(compiled[each.name]))
     return Finding(UNDECIDED, witness=Fact.NOT_ACCEPTED if installed else Fact.COQ_NOT_INSTALLED)
 
 

@@ -14,23 +14,8 @@ from itertools import count, pairwise, zip_longest
 from flint import fmpq, fmpq_poly
 
 from exactspline.errors import ExactSplineError, counted, shown
-from exactspline.extras.teaching.differences import (
-    Difference,
-    Entries,
-    Invented,
-    Missing,
-    NotProved,
-    OtherCoefficient,
-    OtherCoordinates,
-    OtherCount,
-    OtherDimension,
-    OtherDomain,
-    OtherNumber,
-    OtherOnExample,
-    OtherPoint,
-    OtherValue,
-    Wrong,
-)
+from exactspline.extras.teaching import differences as say
+from exactspline.extras.teaching.differences import Difference, Entries, Wrong
 from exactspline.extras.teaching.parts import Math, Part, Point, Polynomial
 from exactspline.interchange.examples import example, example_names
 from exactspline.language.formula import Formula
@@ -286,11 +271,11 @@ class Numbers(Answer, OneLine):
         """Each wrong number, or a difference in their number."""
         answers = _numbers(answer)
         if len(answers) != len(self.values):
-            yield OtherCount(Entries.NUMBERS, len(self.values), len(answers))
+            yield say.other_count(Entries.NUMBERS, len(self.values), len(answers))
             return
         for name, right, given in zip(self.names, self.values, answers, strict=True):
             if given != right:
-                yield OtherNumber(Name(name), right, given)
+                yield say.other_number(Name(name), right, given)
 
 
 @dataclass(frozen=True, repr=False)
@@ -315,10 +300,10 @@ class Parameters(Answer, OneLine):
         answers = () if _negative(answer) else _numbers(answer)
         for t in self.values:
             if t not in answers:
-                yield Missing(t)
+                yield say.missing(t)
         for t in dict.fromkeys(answers):
             if t not in self.values:
-                yield Invented(t)
+                yield say.invented(t)
 
 
 @dataclass(frozen=True, repr=False)
@@ -356,14 +341,14 @@ class Points(Answer, OneLine):
         rows, dimension = self.rows, len(self.rows[0])
         answers = _points(answer, dimension)
         if any(len(point) != dimension for point in answers):
-            yield OtherCoordinates(dimension)
+            yield say.other_coordinates(dimension)
             return
         if len(answers) != len(rows):
-            yield OtherCount(Entries.POINTS, len(rows), len(answers))
+            yield say.other_count(Entries.POINTS, len(rows), len(answers))
             return
         wrong = [i for i, (right, given) in enumerate(zip(rows, answers, strict=True)) if right != given]
         for i in wrong:
-            yield OtherPoint(i, rows[i], answers[i])
+            yield say.other_point(i, rows[i], answers[i])
         if wrong:
             yield _witness(self._value, self._of(answers), self.reference.domain)
 
@@ -406,13 +391,13 @@ class Polynomials(Answer, OneLine):
         """Each wrong coefficient, then a parameter with both values there."""
         answers = _polynomials(answer)
         if len(answers) != len(self.values):
-            yield OtherCount(Entries.POLYNOMIALS, len(self.values), len(answers))
+            yield say.other_count(Entries.POLYNOMIALS, len(self.values), len(answers))
             return
         for name, right, given in zip(self.names, self.values, answers, strict=True):
             pairs = list(zip_longest(right.coefficients, given.coefficients, fillvalue=mpq(0)))
             wrong = [(i, a, b) for i, (a, b) in enumerate(pairs) if a != b]
             for i, a, b in wrong:
-                yield OtherCoefficient(Name(name), i, a, b)
+                yield say.other_coefficient(Name(name), i, a, b)
             if wrong:
                 yield _witness(_values_of(right), _values_of(given), (mpq(0), mpq(1)), Name(name))
 
@@ -476,10 +461,10 @@ def _simple_parameters(low: mpq, high: mpq) -> Iterator[mpq]:
 
 def _witness(
     right: Callable[[mpq], Point], given: Callable[[mpq], Point], domain: tuple[mpq, mpq], name: Name | None = None
-) -> OtherValue:
+) -> Difference:
     """A parameter at which two different functions differ: polynomials do so at all but finitely many parameters."""
     t = next(t for t in _simple_parameters(*domain) if right(t) != given(t))
-    return OtherValue(t, right(t), given(t), name)
+    return say.other_value(name, t, right(t), given(t))
 
 
 def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
@@ -492,9 +477,9 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
     control point 1 is (2, 4), not (2, 3); at t = 1 it gives (2, 3) instead of (2, 4)
     """
     if given.dimension != reference.dimension:
-        return Finding((OtherDimension(reference.dimension, given.dimension),))
+        return Finding((say.other_dimension(reference.dimension, given.dimension),))
     if given.domain != reference.domain:
-        return Finding((OtherDomain(reference.domain, given.domain),))
+        return Finding((say.other_domain(*reference.domain, *given.domain),))
     if given == reference:
         return Finding(())
     differences: list[Difference] = (
@@ -504,7 +489,7 @@ def compare_curves(given: Nurbs, reference: Nurbs) -> Finding:
     breaks = sorted({*given.breakpoints, *reference.breakpoints})
     a, b = next((a, b) for a, b in pairwise(breaks) if given.restrict(a, b) != reference.restrict(a, b))
     t = next(t for t in _simple_parameters(a, b) if given(t) != reference(t))
-    return Finding((*differences, OtherValue(t, reference(t), given(t))))
+    return Finding((*differences, say.other_value(None, t, reference(t), given(t))))
 
 
 def _other_points(given: Nurbs, reference: Nurbs) -> list[Difference]:
@@ -513,7 +498,7 @@ def _other_points(given: Nurbs, reference: Nurbs) -> list[Difference]:
     if not (alike and given.polynomial and reference.polynomial):
         return []
     pairs = enumerate(zip(given.control_points, reference.control_points, strict=True))
-    return [OtherPoint(i, right, wrong) for i, (wrong, right) in pairs if wrong != right]
+    return [say.other_point(i, right, wrong) for i, (wrong, right) in pairs if wrong != right]
 
 
 def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> Finding:
@@ -532,10 +517,10 @@ def compare_formulas(given: Formula, reference: Formula, factor: str = "1") -> F
     if proof:
         return Finding(())
     witness = _on_an_example(given, reference, factor, proof.dimension)
-    return Finding((NotProved(proof), *([witness] if witness else [])))
+    return Finding((say.not_proved(proof), *([witness] if witness else [])))
 
 
-def _on_an_example(given: Formula, reference: Formula, factor: str, dimension: int) -> OtherOnExample | None:
+def _on_an_example(given: Formula, reference: Formula, factor: str, dimension: int) -> Difference | None:
     """Values of both sides at a point of an example curve where they differ; None if the formulas do not apply to a
     single curve.
     """
@@ -549,7 +534,7 @@ def _on_an_example(given: Formula, reference: Formula, factor: str, dimension: i
             continue
         if (t := result.parameter) is not None:
             left, right = (_value_of(f, curve, t) for f in (given, reference))
-            return OtherOnExample(Name(name), t, right, left, None if factor == "1" else Name(factor))
+            return say.other_on_example(Name(name), t, right, left, None if factor == "1" else Name(factor))
     return None
 
 

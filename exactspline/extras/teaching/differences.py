@@ -1,28 +1,18 @@
-"""The errors in an answer, as data; `exactspline.display.evidence` puts them into words."""
+"""The errors in an answer: phrases, and what they are about."""
 
 from __future__ import annotations
 
-from enum import Enum
-from typing import ClassVar
+from enum import Enum, StrEnum
 
+from exactspline.errors import counted
 from exactspline.extras.teaching.parts import Point
-from exactspline.hooks import WordedData
 from exactspline.numbers.exact import mpq
+from exactspline.verification.evidence import Evidence, Phrase, Said
 from exactspline.verification.questions import Proof
 from exactspline.verification.vocabulary import Name
 
 
-class Difference(WordedData):
-    """One error in an answer; its `hint` does not contain the right value."""
-
-    hint: ClassVar[str] = ""
-
-    def __init_subclass__(cls, words: str = "", hint: str = "") -> None:
-        super().__init_subclass__(words)
-        cls.hint = hint
-
-
-class Entries(Enum):
+class Entries(StrEnum):
     """The kinds of entries in an answer."""
 
     NUMBERS = "number"
@@ -30,7 +20,7 @@ class Entries(Enum):
     POLYNOMIALS = "polynomial"
 
 
-class Wrong(Difference, Enum, words="{value}"):
+class Wrong(Evidence, Enum):
     """An error that is not about a number."""
 
     CIRCLE = "it is a circle"
@@ -38,107 +28,80 @@ class Wrong(Difference, Enum, words="{value}"):
     REVERSED = "it is reversed"
 
 
-class OtherCount(Difference):
+#: One error in an answer.
+Difference = Said | Wrong
+
+
+@Phrase
+def other_count(of: Entries, right: int, given: int) -> str:
     """The answer has another number of entries."""
-
-    of: Entries
-    right: int
-    given: int
+    return f"{counted(right, of)} required, not {given}"
 
 
-class OtherNumber(Difference, words="{name} is {right}, not {given}", hint="{name} is not {given}"):
+@Phrase
+def other_number(name: Name, right: mpq, given: mpq) -> str:
     """A named number is wrong."""
-
-    name: Name
-    right: mpq
-    given: mpq
+    return f"{name} is {right}, not {given}"
 
 
-class OtherPoint(
-    Difference, words="control point {index} is {right}, not {given}", hint="control point {index} is not {given}"
-):
+@Phrase
+def other_point(index: int, right: Point, given: Point) -> str:
     """The control point of an index, from 0, is wrong."""
-
-    index: int
-    right: Point
-    given: Point
+    return f"control point {index} is {right}, not {given}"
 
 
-class OtherCoefficient(
-    Difference,
-    words="{name}: the coefficient of t^{power} is {right}, not {given}",
-    hint="{name}: the coefficient of t^{power} is not {given}",
-):
+@Phrase
+def other_coefficient(name: Name, power: int, right: mpq, given: mpq) -> str:
     """The coefficient of a power of t in a named polynomial is wrong."""
-
-    name: Name
-    power: int
-    right: mpq
-    given: mpq
+    return f"{name}: the coefficient of t^{power} is {right}, not {given}"
 
 
-class OtherValue(
-    Difference,
-    words="{name}{name?: }at t = {at} it gives {given} instead of {right}",
-    hint="{name}{name?|it} is not {given} at t = {at}",
-):
+@Phrase
+def other_value(name: Name | None, at: mpq, right: Point, given: Point) -> str:
     """At a parameter the value (of a polynomial that has a name) is wrong."""
-
-    at: mpq
-    right: Point
-    given: Point
-    name: Name | None = None
+    return f"{f'{name}: ' if name else ''}at t = {at} it gives {given} instead of {right}"
 
 
-class Missing(Difference, words="t = {parameter} is missing", hint="a parameter is missing"):
+@Phrase
+def missing(parameter: mpq) -> str:
     """A parameter is missing."""
+    return f"t = {parameter} is missing"
 
-    parameter: mpq
 
-
-class Invented(Difference, words="t = {parameter} is not one of them"):
+@Phrase
+def invented(parameter: mpq) -> str:
     """A parameter is not one of those asked for."""
+    return f"t = {parameter} is not one of them"
 
-    parameter: mpq
 
-
-class OtherCoordinates(Difference):
+@Phrase
+def other_coordinates(right: int) -> str:
     """The points need this many coordinates."""
+    return f"points with {counted(right, 'coordinate')} are required"
 
-    right: int
 
-
-class OtherDimension(Difference, words="it is in R{given}, not in R{right}"):
+@Phrase
+def other_dimension(right: int, given: int) -> str:
     """The curve is in a space of another dimension."""
-
-    right: int
-    given: int
+    return f"it is in R{given}, not in R{right}"
 
 
-class OtherDomain(Difference, words="its domain is [{given:, }], not [{right:, }]"):
+@Phrase
+def other_domain(right: mpq, right_end: mpq, given: mpq, given_end: mpq) -> str:
     """The curve has another domain."""
-
-    right: tuple[mpq, mpq]
-    given: tuple[mpq, mpq]
+    return f"its domain is [{given}, {given_end}], not [{right}, {right_end}]"
 
 
-class NotProved(Difference, words="{proof}"):
+@Phrase
+def not_proved(proof: Proof) -> str:
     """The formula is not the reference."""
+    return str(proof)
 
-    proof: Proof
 
-
-class OtherOnExample(
-    Difference,
-    words="on the example curve {curve} at t = {at} it gives {given?{given}|no value} instead of {factor?{factor} · }"
-    "{right?{right}|no value}",
-):
+@Phrase
+def other_on_example(curve: Name, at: mpq, right: Point | None, given: Point | None, factor: Name | None) -> str:
     """A formula differs from a factor (None: 1) times the reference at a parameter of an example curve; a value that
     does not exist there is None.
     """
-
-    curve: Name
-    at: mpq
-    right: Point | None
-    given: Point | None
-    factor: Name | None = None
+    expected = f"{f'{factor} · ' if factor else ''}{right or 'no value'}"
+    return f"on the example curve {curve} at t = {at} it gives {given or 'no value'} instead of {expected}"

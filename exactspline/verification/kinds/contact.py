@@ -13,9 +13,10 @@ from exactspline.language.ruled import split
 from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import JetFraction, RationalJetReading
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, count_from, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation, at_equal_parameters, equated, on_segments
-from exactspline.verification.evidence import AtLeast, ContactOrder, DerivativeAt, Evidence, Fact, UndefinedAt, Vanishes
+from exactspline.verification.evidence import Evidence, Fact
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, vacuous
 from exactspline.verification.vocabulary import Name, Relation
 
@@ -76,11 +77,11 @@ class Contact(Claim):
             return Finding(UNDECIDED, Fact.NO_CONTACT, witness=Fact.SINGULAR_CONTACT)
         order_found = self._order(value, _on_diagonal)
         if order_found is None:
-            return Finding(PROVED, ContactOrder(self.order, self.relation))
+            return Finding(PROVED, say.contact(self.order, self.relation))
         if order_found > self.order:
-            return Finding(REFUTED, AtLeast(order_found), witness=DerivativeAt(order_found, is_zero=True))
-        witness = self.refuted_on_examples().witness or DerivativeAt(order_found)
-        return Finding(REFUTED, ContactOrder(order_found - 1), witness=witness)
+            return Finding(REFUTED, say.at_least(order_found), witness=say.derivative_vanishes(order_found))
+        witness = self.refuted_on_examples().witness or say.derivative_remains(order_found, None)
+        return Finding(REFUTED, say.contact(order_found - 1, Relation.EQUAL), witness=witness)
 
     def _order(self, value: list[Any], on_diagonal: Diagonal) -> int | None:
         """None if the contact is as claimed; otherwise the order of the derivative that contradicts it: a derivative up
@@ -109,18 +110,18 @@ class Contact(Claim):
                 value = split(formula(segment.argument))[0]
                 found = self._order(value, at_equal_parameters)
             except VanishingDivisorError:
-                return vacuous(UndefinedAt(segment.interval))
+                return vacuous(say.undefined_there(segment.interval))
             if all(x.is_zero for x in value):
-                return vacuous(Vanishes(segment.interval))
+                return vacuous(say.zero_on(segment.interval))
             if found is not None and found <= self.order:
                 for _ in range(found):
                     value = [x.d(1, by=PARAMETERS[1]) for x in value]
                 rest = next(x for x in map(at_equal_parameters, value) if not x.is_zero)
-                return Finding(REFUTED, Fact.LESS_CONTACT, witness=DerivativeAt(found, place=segment.place(rest)))
+                return Finding(REFUTED, Fact.LESS_CONTACT, witness=say.derivative_remains(found, segment.place(rest)))
             higher += found is not None
         if higher == len(whole):
-            return inapplicable(Fact.HIGHER_CONTACT_HERE, AtLeast(self.order + 1))
-        return Finding(VERIFIED, ContactOrder(self.order, self.relation))
+            return inapplicable(Fact.HIGHER_CONTACT_HERE, say.at_least(self.order + 1))
+        return Finding(VERIFIED, say.contact(self.order, self.relation))
 
 
 #: The value of a quotient of both parameters where they are equal.

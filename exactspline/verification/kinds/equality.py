@@ -17,6 +17,7 @@ from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import Jet, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, jets_for, without_denominator
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, formula_name, read
 from exactspline.verification.decision import (
     DirectrixOf,
@@ -29,15 +30,7 @@ from exactspline.verification.decision import (
     extra_zero,
 )
 from exactspline.verification.evaluation import Evaluation, evaluation, on_segments
-from exactspline.verification.evidence import (
-    ExactQuotient,
-    Fact,
-    OneSurface,
-    OneSurfaceBut,
-    OnExample,
-    Remainder,
-    Rulings,
-)
+from exactspline.verification.evidence import ExactQuotient, Fact, OnExample, Remainder, Rulings, Said
 from exactspline.verification.generic_proof import factor_of, harmful
 from exactspline.verification.notation import WEIGHTS, factor_latex, factor_parts
 from exactspline.verification.paper_curves import curve_names
@@ -216,7 +209,8 @@ class SameSurface(_EqualityClaim):
         bad, used = harmful(rulings.scale, self.assumes)
         also, others = ([], ()) if rulings.shift is None else harmful(_poles(rulings.shift), self.assumes)
         bad = list(dict.fromkeys([*bad, *also]))
-        return replace(finding, computed=OneSurface(tuple(bad)), assumptions=tuple(dict.fromkeys([*used, *others])))
+        found = say.one_surface_except(tuple(bad)) if bad else Fact.ONE_SURFACE
+        return replace(finding, computed=found, assumptions=tuple(dict.fromkeys([*used, *others])))
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """``G × Ḡ = 0`` and ``(δ − δ̄) × G = 0``, multiplied out on the splines."""
@@ -224,7 +218,7 @@ class SameSurface(_EqualityClaim):
         but = self._but(argument) if finding.verdict == VERIFIED else None
         return replace(finding, computed=but) if but else finding
 
-    def _but(self, argument: Evaluated) -> OneSurfaceBut | None:
+    def _but(self, argument: Evaluated) -> Said | None:
         """The places where one generator vanishes and the other does not."""
         surfaces = (self.find(self.left)(argument), self.find(self.right)(argument))
         generators = [split(surface.generator)[0] for surface in surfaces]
@@ -233,7 +227,7 @@ class SameSurface(_EqualityClaim):
         left, right = map(common_zeros, generators)
         for name, f, g in ((self.left, left, right), (self.right, right, left)):
             if place := extra_zero(f, g):
-                return OneSurfaceBut(place, name)
+                return say.one_surface_but(place, name)
         return None
 
 

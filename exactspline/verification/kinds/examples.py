@@ -19,9 +19,10 @@ from exactspline.roots.zero_set import ZeroSet, jump_root, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, example_name, formula_name, numbers, one_of, read
 from exactspline.verification.evaluation import Evaluation, place_between
-from exactspline.verification.evidence import Conditions, Counted, Enclosure, Evidence, Fact, NotBetter, Undefined
+from exactspline.verification.evidence import Conditions, Enclosure, Evidence, Fact
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Counter, Extent, Name, word
 
@@ -109,14 +110,14 @@ class Count(ExampleClaim):
         value = joined(self.find(self.formula)(argument))
         numerators, below = split(value)
         if below is not None and below.vanishes_somewhere:
-            return vacuous(Undefined(self.formula))
+            return vacuous(say.undefined(self.formula))
         if all(p.is_zero for p in numerators):
             return vacuous(Fact.ZERO)
         claimed = _counts(self.claimed)
         if not numerators[0].breakpoints[1:-1] and {what for _, what in claimed} & CONTINUITIES:
             return vacuous(Fact.NO_JOINT)
         numbers = [(self._counted(what, value, own), what) for _, what in claimed]
-        counts_here = Counted(tuple(numbers))
+        counts_here = say.counts(tuple(numbers))
         if numbers == claimed:
             return Finding(VERIFIED, counts_here)
         return Finding(REFUTED, counts_here, witness=counts_here)
@@ -233,7 +234,7 @@ class Condition(ExampleClaim):
         for root, a, b in pairs:
             if a[0] >= b[1]:
                 place = place_between(Interval(root.low, root.high))
-                return Finding(REFUTED, conditions, witness=NotBetter(place))
+                return Finding(REFUTED, conditions, witness=say.not_better(place))
         return Finding(UNDECIDED, conditions, witness=Fact.NOT_SEPARATED)
 
 

@@ -24,10 +24,11 @@ from exactspline.polynomials.cost import at_its_cost
 from exactspline.readings.differential_order import order_of
 from exactspline.readings.jet import InOtherParameter, RationalJetReading
 from exactspline.symbolic.factorization import find_factor, without_denominator
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, formula_name, one_of, read
 from exactspline.verification.decision import Changed
 from exactspline.verification.evaluation import Evaluation, OnSegment, on_segments
-from exactspline.verification.evidence import DifferUnder, Evidence, UndefinedAt, UnderEvery, UnderMap, Weight
+from exactspline.verification.evidence import Evidence, Said
 from exactspline.verification.one_function import unwrapped
 from exactspline.verification.verdict import PROVED, REFUTED, VACUOUS, VERIFIED, Finding, vacuous
 from exactspline.verification.vocabulary import Group, Name
@@ -180,27 +181,6 @@ SHORT = 400
 SPEED = "_speed"
 #: The largest weight.
 LARGEST_WEIGHT = 200
-#: The base of the power with the weight as exponent.
-UNITS = {
-    Group.REPARAMETRIZATION: "ds/dt",
-    Group.COMMON_FACTOR: "the factor",
-    **dict.fromkeys((Group.REVERSAL, Group.REFLECTION), "−1"),
-    Group.SCALING: "the scale",
-    Group.SIMILARITY: "the scale",
-    Group.AFFINE: "the determinant",
-    Group.PROJECTIVE: "the determinant",
-    Group.MOEBIUS: "the local scale",
-}
-
-
-def weight_text(under: Group, weight: int) -> str:
-    """A power of the unit of a group.
-
-    >>> weight_text(Group.SCALING, -2), weight_text(Group.MOTION, 0)
-    ('weight −2 in the scale', 'no change')
-    """
-    unit = UNITS.get(under)
-    return f"weight {weight} in {unit}".replace("-", "−") if unit else "no change"
 
 
 #: The changes that move no point, and the changes that preserve lengths, and hence the roots of a frame.
@@ -242,9 +222,9 @@ class Invariance(Claim):
         if not isinstance(kind, CurveKind):
             raise ClaimError(f"invariance of {self.curve!r} is not decided", where="curve", remedy="name a curve")
         if kind.adjoins_roots and self.under not in ISOMETRIES:
-            problem = f"the images of roots under {with_article(self.under)} are not decided"
+            problem = f"the images of roots under {say.with_article(self.under)} are not decided"
             raise ClaimError(problem, where="under", remedy=f"one of {', '.join(ISOMETRIES)}")
-        if self.weight and self.under not in UNITS:
+        if self.weight and self.under not in say.UNITS:
             raise ClaimError(f"a {self.under} has no unit", where="weight", remedy="leave the weight out")
         if kind.constants and self.under not in UNMOVED:
             raise ClaimError(
@@ -258,12 +238,12 @@ class Invariance(Claim):
     @property
     def claims(self) -> str:
         """The power of the unit."""
-        return weight_text(self.under, self.weight)
+        return say.weight.words(self.under, self.weight)
 
     @property
     def latex(self) -> str:
         """The name, the group, the weight."""
-        return rf"{self.symbol(self.formula)}\;\text{{under {with_article(self.under)}: {self.claims}}}"
+        return rf"{self.symbol(self.formula)}\;\text{{under {say.with_article(self.under)}: {self.claims}}}"
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """By substitution in the jets, with indeterminates for the constants of the group."""
@@ -279,19 +259,19 @@ class Invariance(Claim):
         polynomial |= roots is not None and without_denominator((formula,), "1", dimension)
         reading, kind = RationalJetReading(order_of(formula, dimension, roots)), _wider(formula.kind, name, dimension)
         curve = reading.argument(kind, dimension, polynomial=polynomial)
-        statement = self._statement(formula, name, lambda difference: UnderMap(Name(name)))
+        statement = self._statement(formula, name, lambda difference: say.differ_under(Name(name), None))
         found = statement.decide(curve)
         if found.verdict != REFUTED or roots:
             return found
         moved, expected = statement.sides(curve)
         short = sum(len(x.top) + len(x.bottom) for x in (*moved, *expected)) < SHORT
         factor = find_factor(moved, expected) if short and any(not x.is_zero for x in expected) else None
-        changed = UnderMap(Name(name), factor)
+        changed = say.multiple_under(Name(name), factor) if factor else say.differ_under(Name(name), None)
         return Finding(REFUTED, changed, witness=self.refuted_on_examples().witness or changed)
 
     def beside(self, own: Evaluation) -> Evidence:
         """The group: all its elements are covered together."""
-        return UnderEvery(self.under)
+        return say.under_every(self.under)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding on every segment of the curve, with indeterminates for the constants of the group, or for the
@@ -305,11 +285,11 @@ class Invariance(Claim):
                 try:
                     finding = statement.decide(segment.argument, VERIFIED)
                 except VanishingDivisorError:
-                    return vacuous(UndefinedAt(segment.interval))
+                    return vacuous(say.undefined_there(segment.interval))
                 if finding.verdict == REFUTED:
                     return finding
                 nothing = nothing and finding.verdict == VACUOUS
-        return vacuous() if nothing else Finding(VERIFIED, Weight(self.under, self.weight))
+        return vacuous() if nothing else Finding(VERIFIED, say.weight(self.under, self.weight))
 
     def _statement(self, formula: Formula, name: str, where: Callable[[Any], Evidence]) -> Changed:
         """The statement that the value is as claimed under one map."""
@@ -318,7 +298,7 @@ class Invariance(Claim):
             moved, expected = self._sides(formula, name, c, vars(c))
             return Vector(*moved), Vector(*expected)
 
-        return Changed(sides, Weight(self.under, self.weight), where)
+        return Changed(sides, say.weight(self.under, self.weight), where)
 
     def _sides(self, formula: Formula, name: str, curve: Any, k: Mapping[str, Any]) -> tuple[list[Any], list[Any]]:
         """The components of the value on the changed curve, and their claimed values."""
@@ -361,9 +341,9 @@ def _with_roots(formula: Formula, curve: Any) -> Any:
     return framed(curve) if formula.kind.adjoins_roots else curve
 
 
-def _differs_under(name: Name, segment: OnSegment, difference: Any) -> DifferUnder:
+def _differs_under(name: Name, segment: OnSegment, difference: Any) -> Said:
     """The place on a segment where the sides differ."""
-    return DifferUnder(name, segment.place(difference))
+    return say.differ_under(name, segment.place(difference))
 
 
 class _Wider(CurveKind):
@@ -387,11 +367,6 @@ def _wider(kind: Kind, name: str, dimension: int) -> _Wider:
     constants = MAPS[name].constants(dimension) if name in MAPS else ()
     both = (*kind.constants, *constants)
     return _Wider(f"{kind.name}, changed", kind.dimensions, with_point=kind.with_point, constants=both)
-
-
-def with_article(name: str) -> str:
-    """A name with its article."""
-    return f"an {name}" if name[0] in "ai" else f"a {name}"
 
 
 def _components(value: Any) -> list[Any]:

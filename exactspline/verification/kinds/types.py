@@ -17,22 +17,11 @@ from exactspline.polynomials.factors import factorize_square_free
 from exactspline.readings.jet import JetFraction
 from exactspline.splines.nurbs import Nurbs
 from exactspline.symbolic.factorization import jets_for
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, any_formula, claim_kind, formula_name, one_of, read
 from exactspline.verification.decision import Equation
 from exactspline.verification.evaluation import Evaluation, on_segments
-from exactspline.verification.evidence import (
-    Evidence,
-    Fact,
-    NotItsDefinition,
-    OfAnotherKind,
-    OfKind,
-    OfType,
-    RationalForm,
-    RationalOfDegree,
-    TypeHere,
-    TypeOnExample,
-    Undefined,
-)
+from exactspline.verification.evidence import Evidence, Fact
 from exactspline.verification.generic_proof import SHOWN
 from exactspline.verification.paper_curves import curve_names
 from exactspline.verification.verdict import PROVED, REFUTED, UNDECIDED, VERIFIED, Finding, inapplicable, left, vacuous
@@ -79,13 +68,14 @@ class TypeClaim(Claim):
             return self._found(always, Fact.DENOMINATOR_DIVIDES_OUT)
         for name, type_there in self._types_of_examples(dimension, polynomial):
             if type_there == always:
-                return self._found(always, TypeOnExample(type_there, Name(name), not rooted))
+                why = None if rooted else Fact.MADE_BY_ARITHMETIC
+                return self._found(always, say.type_on_example(type_there, Name(name), why))
         if self.claimed == ValueType.NOT_RATIONAL and not rooted:
             return self._found(always, Fact.MADE_BY_ARITHMETIC)
         return Finding(UNDECIDED, witness=Fact.NO_CURVE_OF_THIS_TYPE)
 
     def _found(self, found: ValueType, why: Evidence) -> Finding:
-        return Finding(PROVED if found == self.claimed else REFUTED, OfType(found), witness=why)
+        return Finding(PROVED if found == self.claimed else REFUTED, say.of_type(found), witness=why)
 
     def _on_all_curves(self, dimension: int, polynomial: bool) -> list[Any]:
         """The components on the indeterminate argument."""
@@ -138,11 +128,11 @@ class TypeClaim(Claim):
         if type_here is None:
             return Finding(UNDECIDED, witness=Fact.ROOT_IS_RATIONAL)
         if type_here == self.claimed:
-            return Finding(VERIFIED, OfType(type_here))
+            return Finding(VERIFIED, say.of_type(type_here))
         order = list(ValueType)
         if self.on == Extent.ALL and order.index(type_here) < order.index(self.claimed):
-            return inapplicable(TypeHere(type_here, special=True), OfType(type_here))
-        return Finding(REFUTED, OfType(type_here), witness=TypeHere(type_here))
+            return inapplicable(say.more_special_here(type_here), say.of_type(type_here))
+        return Finding(REFUTED, say.of_type(type_here), witness=say.type_here(type_here))
 
 
 def _coefficients(value: Any) -> list[Any]:
@@ -241,8 +231,8 @@ class Existence(Claim):
         if all(x.is_zero for x in split(equation.left(c))[0]):
             return vacuous()
         if equation.decide(c).verdict == PROVED:
-            return Finding(REFUTED, Fact.RATIONAL, witness=RationalForm(self.formula, self.definition))
-        return Finding(UNDECIDED, witness=NotItsDefinition(self.formula, self.definition))
+            return Finding(REFUTED, Fact.RATIONAL, witness=say.rational_form(self.formula, self.definition))
+        return Finding(UNDECIDED, witness=say.not_its_definition(self.formula, self.definition))
 
     @property
     def compared(self) -> list[Formula]:
@@ -257,8 +247,8 @@ class Existence(Claim):
         value = self.find(self.formula)(argument)
         denominator = split(value)[1]
         if denominator is not None and denominator.vanishes_somewhere:
-            return vacuous(Undefined(self.formula))
-        return replace(general, computed=RationalOfDegree(int(value.degree)))
+            return vacuous(say.undefined(self.formula))
+        return replace(general, computed=say.rational_of_degree(int(value.degree)))
 
 
 @at_its_cost
@@ -292,8 +282,8 @@ class Applies(Claim):
             except VanishingDivisorError:
                 return vacuous(Fact.NO_VALUE)
             return Finding(PROVED, Fact.APPLIES)
-        witness = OfAnotherKind(Name(self.formula), Name(own.name), Name(asked.name))
-        return Finding(REFUTED, OfKind(Name(own.name)), witness=witness)
+        witness = say.of_another_kind(Name(self.formula), Name(own.name), Name(asked.name))
+        return Finding(REFUTED, say.of_kind(Name(own.name)), witness=witness)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding, which is the same for every curve."""

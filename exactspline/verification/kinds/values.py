@@ -20,21 +20,10 @@ from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.numbers.intervals import Side
 from exactspline.readings.bernstein_term import BernsteinTermReading, GenericReading, every_coefficient
 from exactspline.readings.differential_order import is_polynomial
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, example_name, formula_name, number, numbers, one_of, read
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import (
-    At,
-    CoefficientIsZero,
-    Fact,
-    ForDegrees,
-    HasSign,
-    On,
-    OnlyForDegrees,
-    Value,
-    ValueAt,
-    ZeroAt,
-    ZeroCoefficient,
-)
+from exactspline.verification.evidence import At, Fact, ZeroAt
 from exactspline.verification.kinds.examples import ExampleClaim, checked_interval
 from exactspline.verification.kinds.zeros import continued, sign_found
 from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED, Finding, sampled, undecided, vacuous
@@ -102,12 +91,12 @@ class Coefficients(Claim):
             value = formula(GenericReading(d).argument(CURVE, dimension, polynomial=polynomial))
             components = list(value) if isinstance(value, Vector) else [value]
             if all(c.is_zero for c in components):
-                return Finding(REFUTED, Fact.ALL_VANISH, witness=CoefficientIsZero(d))
+                return Finding(REFUTED, Fact.ALL_VANISH, witness=say.all_are_zero(d))
             for i, parts in enumerate(zip(*[c.coefficients for c in components], strict=True)):
                 if not any(parts):
-                    return Finding(REFUTED, Fact.ONE_VANISHES, witness=CoefficientIsZero(d, i))
-        degrees = ForDegrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
-        return sampled(Finding(VERIFIED, OnlyForDegrees(degrees)), degrees)
+                    return Finding(REFUTED, Fact.ONE_VANISHES, witness=say.coefficient_is_zero(i, d))
+        degrees = say.for_degrees(GENERIC_DEGREES[0], GENERIC_DEGREES[-1])
+        return sampled(Finding(VERIFIED, say.none_vanishes(degrees)), degrees)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The coefficients, checked segment by segment."""
@@ -122,8 +111,9 @@ class Coefficients(Claim):
             for i, point in enumerate(zip(*columns, strict=True)):
                 if not (self.sign.holds(point[0]) if self.sign else any(point)):
                     fact = Fact.NOT_SO if self.sign else Fact.ONE_VANISHES
-                    return Finding(REFUTED, fact, witness=ZeroCoefficient(self.formula, i, On(*ends), point[0]))
-        return Finding(VERIFIED, HasSign(self.sign) if self.sign else Fact.NONE_VANISHES)
+                    witness = say.coefficient_here(i, self.formula, say.somewhere_on(*ends), point[0])
+                    return Finding(REFUTED, fact, witness=witness)
+        return Finding(VERIFIED, say.of_sign(self.sign) if self.sign else Fact.NONE_VANISHES)
 
 
 def _is_decided(attempt: Callable[[], object]) -> bool:
@@ -186,8 +176,9 @@ class ValueClaim(ExampleClaim):
             if value is None:
                 return vacuous(Fact.NO_VALUE_THERE)
             if value != self.claimed:
-                return Finding(REFUTED, Value(value), witness=ValueAt(value, At(self.parameter, side == Side.LEFT)))
-        return Finding(VERIFIED, Value(self.claimed))
+                place = At(self.parameter, side == Side.LEFT)
+                return Finding(REFUTED, say.equal_to(value), witness=say.equal_there(value, place))
+        return Finding(VERIFIED, say.equal_to(self.claimed))
 
 
 def _limit(claim: Claim, name: str, value: Any) -> tuple[mpq, ...]:
@@ -248,7 +239,8 @@ class Bound(ExampleClaim):
             return replace(found, computed=Fact.AS_CLAIMED)
         place: Any = found.witness.place if isinstance(found.witness, ZeroAt) else found.witness
         value = bound if isinstance(found.witness, ZeroAt) else top(place.parameter) / below(place.parameter)
-        return Finding(REFUTED, Fact.NOT_SO, witness=ValueAt((value,), place, is_length))
+        said = say.length_there if is_length else say.equal_there
+        return Finding(REFUTED, Fact.NOT_SO, witness=said((value,), place))
 
 
 @claim_kind
@@ -272,4 +264,4 @@ class DistanceClaim(ExampleClaim):
             return undecided(ReachError("; ".join(found.undecided)))
         excess = found.squared - bound * abs(bound)
         holds = SIGNS[relation].holds(excess) if relation in SIGNS else excess == 0
-        return Finding(VERIFIED if holds else REFUTED, Value((found.value,)))
+        return Finding(VERIFIED if holds else REFUTED, say.equal_to((found.value,)))

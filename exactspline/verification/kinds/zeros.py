@@ -44,27 +44,11 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.symbolic.assumptions import Assumption, zero_free
 from exactspline.symbolic.factorization import Factor, Named, factored, find_factor, jets_for, naming_formulas
 from exactspline.verification import divisors
+from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, formula_name, formula_names, one_of, read
 from exactspline.verification.decision import SquaresAddUp, common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, evaluation, zero_of
-from exactspline.verification.evidence import (
-    AlongLine,
-    At,
-    Fact,
-    HasSign,
-    MayVanish,
-    OddPowers,
-    OnExample,
-    OnPart,
-    Place,
-    Quotients,
-    SquareOnSegment,
-    Squares,
-    VanishesAlone,
-    VanishesAlways,
-    ZeroAt,
-    ZerosOf,
-)
+from exactspline.verification.evidence import At, Fact, OnExample, Place, Said, ZeroAt
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.equality import checked_factor
 from exactspline.verification.notation import factor_formulas, factor_of_text, factor_parts
@@ -132,7 +116,7 @@ def _may_vanish(factor: Factor, zero_free: Callable[[Jet], bool]) -> list[Named]
     return [base for base, _ in factor.powers if not zero_free(Jet(factor.ring, base.polynomial))]
 
 
-def _excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Formula]) -> MayVanish:
+def _excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], Formula]) -> Said:
     """Irreducible polynomials that may have zeros, and the assumptions, as claims write them, that exclude these
     zeros.
     """
@@ -150,7 +134,7 @@ def _excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], F
                 ExactSplineError
             ):  # an assumption of another paper, whose formulas claims of this paper cannot name
                 assume += [Name(f"{f.name} ≠ 0") for f in naming_formulas(alone) if find(f.name) is f][:1]
-    return MayVanish(tuple(dict.fromkeys(names)), tuple(dict.fromkeys(assume)))
+    return say.may_vanish(tuple(dict.fromkeys(names)), tuple(dict.fromkeys(assume)))
 
 
 class _ZeroFree:
@@ -268,7 +252,7 @@ class ZeroSet(Claim):
         if len(zero) == len(formulas):
             return vacuous()
         if zero:
-            return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlways(zero[0]))
+            return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=say.vanishes_always(zero[0]))
         zero_free = _ZeroFree(formulas, c, dimension, self.assumes)
         found = self._by_quotients(formulas, c, zero_free)
         if found.verdict != PROVED:
@@ -288,7 +272,7 @@ class ZeroSet(Claim):
             return Finding(UNDECIDED, witness=Fact.ROOTS_REMAIN)
         first, *others = formulas
         factors = [find_factor(first(c), other(c)) for other in others]
-        quotients = Quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
+        quotients = say.quotients(self.formulas[0], tuple(zip(self.formulas[1:], factors, strict=True)))
         known = [factor for factor in factors if factor is not None]
         if len(known) < len(factors):
             return Finding(UNDECIDED, None, quotients, Fact.NOT_PROPORTIONAL)
@@ -329,10 +313,10 @@ class ZeroSet(Claim):
                 zero_free(Jet(ring, base.polynomial))
             weighted = ring.polynomial and not polynomial  # rational curves by the derivatives of γ
             if weighted and not any(each.name == "w" for each in self.assumes):
-                return Finding(UNDECIDED, witness=MayVanish((Name("w"),), (Name("w"),)))
+                return Finding(UNDECIDED, witness=say.may_vanish((Name("w"),), (Name("w"),)))
             zero_free.used += [Name("w")] * weighted
             left = tuple(Name(base.name) for base in bases if base not in gone and table[0].exponent(base) > 0)
-            return Finding(PROVED, Fact.ONE_ZERO_SET, ZerosOf(left))
+            return Finding(PROVED, Fact.ONE_ZERO_SET, say.zeros_of(left))
         differing = self._with_roots(known, ring.dimension) if kind_of(self.curve).adjoins_roots else None
         if differing and differing.verdict == REFUTED:
             return differing
@@ -368,7 +352,7 @@ class ZeroSet(Claim):
             line = methodcaller(("at_s", "at_t")[fixed], t)
             below = [line(w) for _, _, w in parts if w is not None]
             tops = [(name, common_zeros([line(x) for x in components])) for name, components, _ in parts]
-            found = _compared(tops, below, partial(AlongLine, parameter=PARAMETERS[fixed], value=t))
+            found = _compared(tops, below, partial(say.along_line, PARAMETERS[fixed], t))
             if found.verdict == REFUTED:
                 return found
         return Finding(VERIFIED, Fact.ONE_ZERO_SET)
@@ -385,7 +369,7 @@ class ZeroSet(Claim):
                 tops = [continued(top / below) for top, below in parts]
                 found = _compared(list(zip(self.formulas, [split(each)[0][0] for each in tops], strict=True)))
                 if found.verdict == REFUTED and not evaluation(curve).failing(self.curve, self.assumes):
-                    witness = OnPart(found.witness, part) if part else found.witness
+                    witness = say.on_part(found.witness, part) if part else found.witness
                     return replace(found, witness=OnExample(Name(name), witness))
         return Finding(UNDECIDED)
 
@@ -402,7 +386,8 @@ def _compared(
     for other in numerators[1:]:
         for (a_name, a), (b_name, b) in ((first, other), (other, first)):
             if place := extra_zero(a, reduce(mul, below, b)):
-                return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=VanishesAlone(a_name, where(place), b_name))
+                witness = say.vanishes_alone(a_name, where(place), b_name)
+                return Finding(REFUTED, Fact.DIFFERENT_ZERO_SETS, witness=witness)
     return Finding(VERIFIED, Fact.ONE_ZERO_SET)
 
 
@@ -502,7 +487,7 @@ def sign_found(p: BSpline, below: BSpline | None, sign: Sign) -> Finding:
     zero = zero_of(p) if below is None else extra_zero(p, below)  # 0/0 is not a value
     if sign.strict and zero:
         return Finding(REFUTED, Fact.HAS_ZERO, witness=ZeroAt(zero))
-    return Finding(VERIFIED, HasSign(sign))
+    return Finding(VERIFIED, say.of_sign(sign))
 
 
 def _negative(f: BSpline, i: int) -> mpq:
@@ -539,10 +524,10 @@ class SquareClass(Claim):
             return vacuous()
         factor = factor_of(formula, right, dimension, polynomial=polynomial)
         odd = () if factor is None else tuple(Name(base.name) for base, e in factor.powers if e % 2)
-        quotient = Quotients(self.formula, ((self.right, factor),))
+        quotient = say.quotients(self.formula, ((self.right, factor),))
         if factor is not None and not odd:
             return Finding(PROVED, Fact.SQUARE, quotient)
-        difference = Fact.NOT_PROPORTIONAL if factor is None else OddPowers(odd)
+        difference = Fact.NOT_PROPORTIONAL if factor is None else say.odd_powers(odd)
         refuted = self.refuted_on_examples()
         verdict = REFUTED if refuted.verdict == REFUTED else UNDECIDED
         return Finding(verdict, difference, quotient, refuted.witness or difference)
@@ -566,6 +551,6 @@ class SquareClass(Claim):
             return vacuous()
         for i, (a, b) in pairs.items():
             if a != b:
-                return Finding(REFUTED, Fact.DIFFERENT, witness=SquareOnSegment(i))
+                return Finding(REFUTED, Fact.DIFFERENT, witness=say.one_is_square(i))
         squares, whole = sum(b for _, b in pairs.values()), len(left.numerators)
-        return Finding(VERIFIED, Squares(self.right, squares, whole, whole - len(pairs)))
+        return Finding(VERIFIED, say.squares_on(self.right, squares, whole, whole - len(pairs)))

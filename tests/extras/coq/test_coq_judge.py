@@ -8,7 +8,8 @@ from exactspline import Verdict, claims
 from exactspline.display.evidence import opinion
 from exactspline.errors import FormulaError
 from exactspline.extras.coq import judge as coq_judge
-from exactspline.verification.evidence import Fact, NoTheorem, Theorem
+from exactspline.verification import phrases as say
+from exactspline.verification.evidence import Fact, NoTheorem
 from exactspline.verification.verdict import Finding
 
 
@@ -17,7 +18,7 @@ def test_the_least_favourable_opinion_counts():
         Finding(Verdict.UNDECIDED, witness=fact) for fact in (Fact.COQ_NOT_INSTALLED, Fact.NOT_ACCEPTED)
     )
     unstated = Finding(Verdict.UNDECIDED, witness=NoTheorem(FormulaError("no")))
-    holds, fails = (Finding(verdict, Theorem("t")) for verdict in (Verdict.PROVED, Verdict.REFUTED))
+    holds, fails = (Finding(verdict, say.accepted_with(())) for verdict in (Verdict.PROVED, Verdict.REFUTED))
     said = [holds, unstated, fails, refused, missing]
     assert coq_judge.combined_findings(said) is refused
     assert coq_judge.combined_findings(said[:3]) is unstated
@@ -30,7 +31,7 @@ def test_the_least_favourable_opinion_counts():
         "not accepted",
         "Coq is not installed",
     ]
-    assert opinion(Finding(Verdict.PROVED, Theorem("t", ("x", "y")))) == "holds, axioms x, y"
+    assert opinion(Finding(Verdict.PROVED, say.accepted_with(("x", "y")))) == "holds, axioms x, y"
 
 
 def test_what_coq_is_asked_to_compile(monkeypatch):

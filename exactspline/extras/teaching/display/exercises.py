@@ -9,18 +9,18 @@ from collections.abc import Callable, Iterable, Sequence
 from html import escape
 
 from exactspline.display import mathml
-from exactspline.display.evidence import filled
 from exactspline.display.forms import Data, picked
 from exactspline.display.latex import fraction, latex, mathematics, unicode_latex
 from exactspline.display.latex_prose import prose
 from exactspline.display.numbers import polynomial_text
 from exactspline.display.page import page
 from exactspline.display.sheet import Sheet, hanging
-from exactspline.extras.teaching.differences import Difference
+from exactspline.extras.teaching import differences as wrong
 from exactspline.extras.teaching.parts import Math, Part, Polynomial, Value
 from exactspline.extras.teaching.topics import Exercise, about
 from exactspline.extras.teaching.triangles import ProductTable, Row, Triangle
 from exactspline.numbers.exact import point_text, text
+from exactspline.verification.evidence import Phrase, Said
 
 #: The name of a scheme.
 _TITLES = {"de Boor": "De Boor's triangle", "insertion": "Knot insertion", "elevation": "Degree elevation"}
@@ -394,15 +394,26 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
 # ---- answers
 
 
-def hinted(difference: Difference) -> str:
+#: Sentences without the right value, in place of those that name it.
+_HINTS: dict[object, Callable[..., str]] = {
+    wrong.other_number: lambda name, right, given: f"{name} is not {given}",
+    wrong.other_point: lambda index, right, given: f"control point {index} is not {given}",
+    wrong.other_coefficient: lambda name, power, right, given: f"{name}: the coefficient of t^{power} is not {given}",
+    wrong.other_value: lambda name, at, right, given: f"{name or 'it'} is not {given} at t = {at}",
+    wrong.missing: lambda parameter: "a parameter is missing",
+}
+
+
+def hinted(difference: wrong.Difference) -> str:
     """An error in words, without the right value.
 
-    >>> from exactspline.extras.teaching.differences import OtherNumber
     >>> from exactspline.numbers.exact import mpq
-    >>> hinted(OtherNumber("x", mpq(1), mpq(2)))
+    >>> hinted(wrong.other_number("x", mpq(1), mpq(2)))
     'x is not 2'
     """
-    return filled(difference.hint, difference) or str(difference)
+    if isinstance(difference, Said) and (hint := _HINTS.get(difference.phrase)):
+        return str(Phrase(hint)(*difference.about))
+    return str(difference)
 
 
 # ---- data
