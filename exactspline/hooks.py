@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from enum import Enum
 from functools import cache
 from importlib import import_module
 from os.path import dirname, join
-from typing import TYPE_CHECKING, Any, Protocol, cast, dataclass_transform
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from exactspline.one_line import OneLine, fields_of
 
@@ -117,17 +115,6 @@ class Worded(OneLine):
 
     def __str__(self) -> str:
         return _printers[0]("words", self) or fields_of(self)
-
-
-@dataclass_transform(frozen_default=True)
-class WordedData(Worded):
-    """A `Worded` object whose class is a frozen dataclass or an enumeration, as a base of kinds of things."""
-
-    __slots__ = ()
-
-    def __init_subclass__(cls) -> None:
-        if WordedData not in cls.__bases__ and not issubclass(cls, Enum):
-            dataclass(frozen=True, repr=False)(cls)
 
 
 class _Outside:

@@ -7,7 +7,6 @@ from functools import singledispatch
 
 from exactspline.display.numbers import EXACT, Numbers
 from exactspline.errors import ExactSplineError
-from exactspline.language.kinds import constant_text
 from exactspline.language.ruled import split
 from exactspline.numbers.exact import mpq, point_text, text
 from exactspline.polynomials.factors import power_text
@@ -23,7 +22,7 @@ from exactspline.verification.questions import Check, Proof
 from exactspline.verification.verdict import Finding
 from exactspline.verification.vocabulary import Verdict
 
-#: What a tuple has that is a point.
+#: What a point consists of.
 _NUMBER = (type(mpq()), Real)
 
 
@@ -61,11 +60,6 @@ def _(item: Real, numbers: Numbers = EXACT) -> str:
 
 
 @words.register
-def _(item: ExactSplineError, numbers: Numbers = EXACT) -> str:
-    return numbers.within(str(item))
-
-
-@words.register
 def _(item: Enum, numbers: Numbers = EXACT) -> str:
     return str(item.value)
 
@@ -79,13 +73,14 @@ def _as_taken(about: object, numbers: Numbers) -> object:
     """What a phrase is about, as it takes it: names and counts as they are, everything else in words."""
     if isinstance(about, str | int | None):
         return about
-    if isinstance(about, tuple) and not any(isinstance(each, _NUMBER) for each in about):
+    if isinstance(about, tuple) and not (about and isinstance(about[0], _NUMBER)):
         return tuple(_as_taken(each, numbers) for each in about)
     return words(about, numbers)
 
 
-@words.register
-def _(item: Factor, numbers: Numbers = EXACT) -> str:
+@words.register(ExactSplineError)
+@words.register(Factor)
+def _(item: object, numbers: Numbers = EXACT) -> str:
     return numbers.within(str(item))
 
 
@@ -103,13 +98,6 @@ def _(item: e.Between, numbers: Numbers = EXACT) -> str:
     if near:
         return f"near the parameter {near}"
     return f"between the parameters {numbers(item.low)} and {numbers(item.high)}"
-
-
-@words.register
-def _(item: e.Chosen, numbers: Numbers = EXACT) -> str:
-    point = [f"the point ({', '.join(map(numbers, item.point))})"] if item.point else []
-    constants = [f"{constant_text(name)} = {numbers(value)}" for name, value in item.constants]
-    return f"with {', '.join([*point, *constants])}"
 
 
 # ---- witnesses of any kind of claim
@@ -140,13 +128,6 @@ def _(item: e.NoTheorem, numbers: Numbers = EXACT) -> str:
 TERMS = 3
 
 
-def _is_one(factor: Found | None) -> bool:
-    """Whether a factor is the number 1."""
-    if isinstance(factor, e.StatedFactor):
-        return all(name == "1" for name, _ in factor.powers)
-    return isinstance(factor, Factor) and factor.is_one
-
-
 # ---- identities
 
 
@@ -163,8 +144,9 @@ def _(item: e.StatedFactor, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: e.Relating, numbers: Numbers = EXACT) -> str:
-    factor = "" if _is_one(item.factor) else f"{words(item.factor, numbers)} · "
-    return f"{item.left} = {factor}{item.right}"
+    factor = item.factor
+    is_one = factor.is_one if isinstance(factor, Factor) else all(name == "1" for name, _ in factor.powers)
+    return f"{item.left} = {'' if is_one else f'{words(factor, numbers)} · '}{item.right}"
 
 
 @words.register
@@ -197,12 +179,7 @@ def _(item: e.DegreeFound, numbers: Numbers = EXACT) -> str:
 
 @words.register
 def _(item: e.DegreeHere, numbers: Numbers = EXACT) -> str:
-    return str(item.degree)
-
-
-@words.register
-def _(item: e.ZeroHere, numbers: Numbers = EXACT) -> str:
-    return "0"
+    return "0" if item.degree is None else str(item.degree)
 
 
 @words.register

@@ -24,7 +24,7 @@ from exactspline.verification.kinds.degree import DegreeClaim
 from exactspline.verification.kinds.equality import Identity, Vanishing
 from exactspline.verification.ledger import Counts, Row, count_statements, error_of
 from exactspline.verification.statement import Statement, claimed_relation, true_relation
-from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED
+from exactspline.verification.verdict import INAPPLICABLE, PROVED, REFUTED, VACUOUS, VERIFIED, Finding
 from exactspline.verification.vocabulary import ArgumentKind, Status, Verdict
 
 #: The words of the verdict column, in the order of the tables.
@@ -75,7 +75,7 @@ def found(row: Row, numbers: Numbers = EXACT) -> str:
     if relation and (row.verdict != REFUTED or not row.curve):
         return worded(relation, numbers)
     if isinstance(row.claim, DegreeClaim):
-        none = isinstance(row.computed, DegreeHere) and row.computed.degree < 0
+        none = isinstance(row.computed, DegreeHere) and (row.computed.degree or 0) < 0
         degree = "identically zero" if none else computed
         return degree if row.verdict in HOLDS or not degree else f"{degree}, not {row.claimed}"
     if isinstance(row.claim, Vanishing) and row.verdict in HOLDS:
@@ -115,14 +115,17 @@ def row_data(row: Row) -> dict[str, object]:
         "curve": row.curve,
         "relation": finding.relation,
         "claimed": row.claimed,
-        "computed": worded(finding.computed),
-        "factor": worded(finding.factor),
-        "witness": worded(finding.witness),
-        "verdict": finding.verdict,
+        **_in_words(finding),
         "reason": finding.reason or "",
         "expected": _recorded(row),
         "seconds": row.seconds,
     }
+
+
+def _in_words(finding: Finding) -> dict[str, str]:
+    """What was found, as data."""
+    found = {name: worded(getattr(finding, name)) for name in ("computed", "factor", "witness")}
+    return found | {"verdict": finding.verdict}
 
 
 def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, name: str = "", judge: str = "") -> Sheet:
@@ -136,13 +139,13 @@ def ledger(rows: Iterable[Row], title: str = "", numbers: Numbers = EXACT, *, na
     return Sheet(*columns, rows=cells, title=title, name=name, prose=columns[2:], heads=2)
 
 
-def by_section(rows: Iterable[Row]) -> Sheet:
+def by_section(rows: Sequence[Row]) -> Sheet:
     """Counts of the verdicts: on printed statements by section, on corrected statements, and on our own."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         claim = row.claim
         counts[MEANT if claim.status == Status.MEANT else section(claim)][row.verdict] += 1
-    words = [w for w in WORDS if any(c[w] for c in counts.values())]
+    words = words_of(rows)
     made = Sheet("section", "statements", *words, numbers=("statements", *words))
     last = [name for name in (MEANT, OURS) if name in counts]
     for name in [*[name for name in counts if name not in last], *last]:
@@ -158,7 +161,7 @@ def by_curve(rows: Sequence[Row]) -> Sheet:
     for row in rows:
         counts[row.curve][row.verdict] += 1
         counts[row.curve]["as recorded"] += row.as_recorded
-    words = [w for w in WORDS if any(c[w] for c in counts.values())]
+    words = words_of(rows)
     made = Sheet("curve", *words, "as recorded", numbers=words)
     for name, each in counts.items():
         of = sum(each[w] for w in words)
@@ -367,10 +370,7 @@ def statement_data(s: Statement) -> dict[str, object]:
         "note": c.note,
         "expected": c.expected,
         "claimed": c.claims,
-        "computed": worded(f.computed),
-        "factor": worded(f.factor),
-        "witness": worded(f.witness),
-        "verdict": f.verdict,
+        **_in_words(f),
         "relation": f.relation,
         "assumptions": list(f.assumptions),
     }

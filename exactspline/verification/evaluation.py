@@ -49,7 +49,7 @@ from exactspline.splines.surface import NurbsSurface
 from exactspline.splines.tensor import TensorSpline, surface_pair
 from exactspline.symbolic.assumptions import Assumption
 from exactspline.verification import phrases as say
-from exactspline.verification.evidence import At, Between, Chosen, Evidence, Fact, Place, Said
+from exactspline.verification.evidence import At, Between, Evidence, Fact, Place, Said
 from exactspline.verification.vocabulary import ArgumentKind, Name
 
 # ---- the arguments
@@ -156,7 +156,8 @@ def argument(kind: str, curve: Nurbs | NurbsSurface) -> _Given:
                 f"{counted(len(asked.constants), 'constant')}", remedy=f"at most {len(CONSTANTS)} are tried"
             )
     constants = {name: curve.w.constant(value) for name, value in values.items()}
-    chosen = Chosen(point, tuple((Name(name), value) for name, value in values.items())) if point or values else None
+    named = tuple((Name(name), value) for name, value in values.items())
+    chosen = say.chosen(point, named) if point or named else None
     if isinstance(asked, HodographKind):
         return _Given(with_hodograph(curve, constants), Fact.AS_HODOGRAPH, chosen)
     if constants:

@@ -7,12 +7,13 @@ The fields are numbers, names, members of enumerations, and objects of algebra.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from enum import Enum
 from functools import update_wrapper
-from typing import Any, Generic, TypeVarTuple
+from typing import Any, Generic, TypeVarTuple, dataclass_transform
 
 from exactspline.errors import ExactSplineError
-from exactspline.hooks import WordedData
+from exactspline.hooks import Worded
 from exactspline.numbers.exact import mpq
 from exactspline.readings.degree import Degree
 from exactspline.readings.jet import Jet
@@ -22,8 +23,15 @@ from exactspline.verification.vocabulary import Name, Relation
 Ts = TypeVarTuple("Ts")
 
 
-class Evidence(WordedData):
-    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words."""
+@dataclass_transform(frozen_default=True)
+class Evidence(Worded):
+    """A computed value, a witness, a place, or a part of the arguments of a claim; `str` puts it into words. Classes of
+    evidence are frozen dataclasses or enumerations.
+    """
+
+    def __init_subclass__(cls) -> None:
+        if not issubclass(cls, Enum):
+            dataclass(frozen=True, repr=False)(cls)
 
 
 class Fact(Evidence, Enum):
@@ -163,13 +171,6 @@ class Between(Evidence):
 Place = At | Between | Said
 
 
-class Chosen(Evidence):
-    """A point and constants in addition to the curve."""
-
-    point: tuple[mpq, ...] = ()
-    constants: tuple[tuple[Name, mpq], ...] = ()
-
-
 # ---- witnesses of any kind of claim
 
 
@@ -267,16 +268,9 @@ class DegreeFound(Evidence):
 
 
 class DegreeHere(Evidence):
-    """The degree of splines, and the claimed number."""
+    """The degree of splines (None for the value 0 of a claim about the generic curve), and the claimed number."""
 
-    degree: int
-    claimed: int
-    relation: Relation
-
-
-class ZeroHere(Evidence):
-    """A value that is 0, so that it has no degree, and the claimed number."""
-
+    degree: int | None
     claimed: int
     relation: Relation
 

@@ -37,7 +37,7 @@ from exactspline.verification.claims import expect_claim
 from exactspline.verification.combined import Proofs, fitting, proofs_of_this_run
 from exactspline.verification.decision import table_1_splines
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import DegreeHere, Evidence, Found, ZeroHere
+from exactspline.verification.evidence import DegreeHere, Evidence, Found
 from exactspline.verification.paper_curves import one_patch_surfaces, own_curves
 from exactspline.verification.verdict import (
     CONTRADICTION,
@@ -112,7 +112,7 @@ class Row(Displayed):
     def claimed(self) -> str:
         """The claimed value; on one curve as a number."""
         here = self.computed
-        return here.relation.bound(here.claimed) if isinstance(here, DegreeHere | ZeroHere) else self.claim.claims
+        return here.relation.bound(here.claimed) if isinstance(here, DegreeHere) else self.claim.claims
 
     @property
     def verdict(self) -> Verdict:

@@ -59,6 +59,13 @@ def along_line(parameter: Parameter, value: mpq, place: Place) -> str:
 
 
 @Phrase
+def chosen(point: tuple[mpq, ...], constants: tuple[tuple[Name, mpq], ...]) -> str:
+    """A point and constants in addition to the curve."""
+    given = [f"the point {point}"] if point else []
+    return f"with {', '.join([*given, *[f'{constant_text(name)} = {value}' for name, value in constants]])}"
+
+
+@Phrase
 def with_any(operands: tuple[Name, ...]) -> str:
     """The free operands in addition to the curve, a point and constants."""
     return f"with any {', '.join(map(constant_text, operands))}"

@@ -28,7 +28,7 @@ from exactspline.symbolic.covariants import degree_at, generic_degree, graded, t
 from exactspline.symbolic.reduction import Reduction
 from exactspline.verification.claim import Claim, claim_kind, count_from, formula_name, one_of, read
 from exactspline.verification.evaluation import Evaluation
-from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree, ZeroHere
+from exactspline.verification.evidence import DegreeFound, DegreeHere, Evidence, Fact, Found, WrongDegree
 from exactspline.verification.generic_proof import degree_in_table_1, joined_degree, reduction_of, transposed, vanishes
 from exactspline.verification.notation import degree_latex
 from exactspline.verification.verdict import (
@@ -158,7 +158,7 @@ class DegreeClaim(Claim):
         claimed = self._claimed(argument)
         computed = self._computed(argument)
         if computed < 0 and self.measure.is_generic:
-            return vacuous(ZeroHere(claimed, self.relation))
+            return vacuous(DegreeHere(None, claimed, self.relation))
         here = DegreeHere(computed, claimed, self.relation)
         special = self.on == Extent.ALL and self.measure.is_generic and self.relation == Relation.EQUAL
         if special and computed < claimed:
