@@ -11,16 +11,18 @@ True
 from __future__ import annotations
 
 from array import array
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from ctypes import CDLL, POINTER, Structure, byref, c_double, c_int, c_void_p
 from functools import cache, lru_cache
 from hashlib import sha256
 from itertools import chain
+from math import nan
 from os import environ
 from pathlib import Path
 from typing import NamedTuple
 
 from exactspline.errors import FormulaError
+from exactspline.numbers.exact import mpq
 from exactspline.programs.error_bounds import factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.program import Program
@@ -50,11 +52,19 @@ KNOWN = (
 #: The largest width of the interval around a known zero.
 NARROW = 2**-30
 #: The numbers that are returned for a segment beside four for every output, and for a zero.
-OF_SEGMENT, OF_ZERO = 3, 5
-#: With more zeros than this per segment, exact arithmetic decides.
-FEW = 8
-#: The two bits that the C function returns for a segment.
-OPEN = ((False, False), (True, False), (False, True), (True, True))
+OF_SEGMENT, OF_ZERO = 3, 4
+#: With more zeros than these, and this many for each segment, exact arithmetic decides.
+FEW, EACH = 30, 8
+#: What C says of a segment: a zero is uncertain; it is uncertain that the last output has no zeros and that the weight
+#: function is positive; zeros of the first output and of another overlap. And of the knot at its start, or of the seam:
+#: the first output changes its sign; the second does; the curvatures of both sides certainly differ.
+UNCERTAIN, SLOW, ENTANGLED, BENDS, TURNS, DIFFERENT = 1, 2, 4, 8, 16, 32
+#: Integers below this are doubles.
+EXACT = 2**53
+#: The integers of the operands of a segment, and their denominator.
+Row = tuple[Sequence[Sequence[int]], int]
+#: The signs of a zero by two bits.
+SIGNS = ((-1, -1), (-1, 1), (1, -1), (1, 1))
 
 
 class _Instruction(Structure):
@@ -104,33 +114,52 @@ def surrounds(low: float, high: float, x: float) -> bool:
     return low < x < high < low + NARROW
 
 
+#: The order of the outputs of a program with known results.
+ORDER = [*range(1, len(KNOWN)), 0]
+
+
+@cache
+def _known_program() -> _Program:
+    code = (_Instruction * len(KNOWN))(*[_Instruction(NAMES[name], *rest) for name, *rest, _ in KNOWN])
+    count, bounds = len(KNOWN), [2**-48, 2**-1000] * len(KNOWN)
+    return _Program(count, count, 1, 2, 0, code, (c_int * count)(*ORDER), (c_double * (2 * count))(*bounds))
+
+
+def _rounds(function: Callable[..., int]) -> bool:
+    """Whether the double nearest to the zero of 3∂u − ∂v of the form u² + 2uv + 4v² is found."""
+    zero = 4 * (len(KNOWN) - 2), 0, 2 / 3 - 2**-42, 2 / 3 + 2**-40
+    given = [array("d", numbers) for numbers in ((1, 2, 4), (), zero, (0, 1), (0, 0), (0,))]
+    addresses = [x.buffer_info()[0] for x in given]
+    return function(byref(_known_program()), *addresses, 1, 1) == 1 and given[-1][0] == 2 / 3
+
+
 def _carries_out(function: Callable[..., int]) -> bool:
     """Whether each instruction gives exactly the right ordinates at both ends for the form u² + 2uv + 4v² divided by 8,
     and the zero of 3∂u − ∂v of this form is found.
     """
-    code = (_Instruction * len(KNOWN))(*[_Instruction(NAMES[name], *rest) for name, *rest, _ in KNOWN])
-    order, bounds = [*range(1, len(KNOWN)), 0], [2**-48, 2**-1000] * len(KNOWN)
-    count = len(order)
-    program = _Program(count, count, 1, 2, 0, code, (c_int * count)(*order), (c_double * (2 * count))(*bounds))
-    data, found = array("d", [1, 2, 4, 1]), array("d", bytes(8 * (OF_SEGMENT + 4 * count + OF_ZERO)))
-    if function(byref(program), data.buffer_info()[0], 1, found.buffer_info()[0], 1) != 1:
+    count, order = len(ORDER), ORDER
+    data, found = array("d", [1, 2, 4, 1]), array("d", bytes(8 * (OF_SEGMENT + 5 * count + OF_ZERO)))
+    if function(byref(_known_program()), data.buffer_info()[0], 1, found.buffer_info()[0], 1) != 1:
         return False
-    output, segment, low, high, before = found[-OF_ZERO:]
-    ends = list(zip(found[1 : 4 * count : 4], found[3 : 4 * count : 4], strict=True))
+    code, segment, low, high = found[-OF_ZERO:]
+    of_segment = found[count:-OF_ZERO]
+    ends = list(zip(of_segment[1 : 4 * count : 4], of_segment[3 : 4 * count : 4], strict=True))
     return (
         ends == [KNOWN[k][-1] for k in order]
-        and (output, segment, before) == (count - 2, 0, 1)
+        and (code, segment, *found[:count]) == (4 * (count - 2) + 3, 0, UNCERTAIN, *[0] * (count - 2), 1)
         and surrounds(low, high, 2 / 3)
     )
 
 
 #: The function of the extension for one curve; None without the extension.
 filter_curve = loaded("filter_curve", _carries_out, c_void_p, c_void_p, c_int, c_void_p, c_int)
+#: The function for the doubles nearest to its zeros; None without the extension.
+filter_doubles = loaded("filter_doubles", _rounds, *[c_void_p] * 7, c_int, c_int)
 
 
 class SegmentZero(NamedTuple):
     """A simple zero of an output inside a segment: an interval of the local parameter that contains it and no other
-    zero, and the sign before it.
+    zero of the output, the sign before it, and for other outputs than the first the sign of the first output there.
     """
 
     output: int
@@ -138,22 +167,53 @@ class SegmentZero(NamedTuple):
     low: float
     high: float
     before: int
+    of_first: int
+    #: Its number among all zeros.
+    place: int
 
 
 class Signs(NamedTuple):
-    """The results for the outputs of a program on the segments of a curve: whether the zeros of an output are
-    uncertain; whether it is uncertain that the last output has no zeros and the weight function is positive; after one
-    more number the ordinates of every output at both ends, each followed by a bound of its error, and the weight
-    function at both ends; and the zeros.
-    """
+    """The results for the outputs of a program on the segments of a curve, in an array, as filter.c writes them."""
 
-    open: list[tuple[bool, bool]]
-    ends: list[array[float]]
-    zeros: list[SegmentZero]
+    numbers: array[float]
+    outputs: int
+    #: Where the zeros begin.
+    start: int
+
+    @property
+    def flags(self) -> int:
+        """What is said of any segment."""
+        return int(self.numbers[0])
+
+    @property
+    def of_segments(self) -> list[int]:
+        """What is said of each segment."""
+        return [*map(int, self.numbers[self.outputs : self.start : OF_SEGMENT + 4 * self.outputs])]
+
+    def count(self, output: int) -> int:
+        """The number of zeros of an output."""
+        return int(self.numbers[1 + output])
+
+    def positive(self, output: int, segment: int) -> bool:
+        """Whether an output is positive at the start of a segment."""
+        return self.numbers[self.outputs + segment * (OF_SEGMENT + 4 * self.outputs) + 1 + 4 * output] > 0
+
+    def zeros(self, output: int) -> list[SegmentZero]:
+        """The zeros of an output in the order of segments and parameters."""
+        columns = [self.numbers[self.start + k :: OF_ZERO] for k in range(OF_ZERO)]
+        return [
+            SegmentZero(output, int(segment), low, high, *SIGNS[int(code) & 3], place)
+            for place, (code, segment, low, high) in enumerate(zip(*columns, strict=True))
+            if code // 4 == output
+        ]
+
+    def some(self, first: int, count: int) -> array[float]:
+        """The numbers of at most this many zeros, from this one on."""
+        return self.numbers[self.start + OF_ZERO * first : self.start + OF_ZERO * (first + count)]
 
 
 @lru_cache(256)
-def _in_c(program: Program, rational: bool) -> _Program | None:
+def _in_c(program: Program) -> _Program | None:
     """A program for C; None if it cannot run in C."""
     try:
         used, known = known_of(program, ROUNDINGS)
@@ -176,38 +236,56 @@ def _in_c(program: Program, rational: bool) -> _Program | None:
         count,
         len(program.signature.degrees),
         program.signature.degrees[0],
-        rational,
+        not program.signature.polynomial,
         code,
         (c_int * count)(*[place[i] for i in program.outputs]),
         (c_double * (2 * count))(*bounds),
     )
 
 
-def signs(program: Program, rows: Sequence[tuple[Sequence[Sequence[int]], int]], *, rational: bool) -> Signs | None:
+def signs(program: Program, rows: Sequence[Row]) -> Signs | None:
     """The certain signs of the outputs of a program (the last of which must have no zero) on segments, each given by
-    the integers of its operands and their denominator; if `rational`, the last operand is a weight function. None
-    without the extension, and for numbers that are too large for it.
+    the integers of its operands and their denominator; the last operand of a rational curve is the weight function.
+    None without the extension, and for numbers that are too large for it.
     """
-    prepared = _in_c(program, rational) if filter_curve is not None else None
+    prepared = _in_c(program) if filter_curve is not None else None
     if prepared is None or filter_curve is None:
         return None
-    segments, data = len(rows), array("d")
+    segments, outputs = len(rows), prepared.outputs
+    start, room = outputs + (OF_SEGMENT + 4 * outputs) * segments, FEW + EACH * segments
     try:
-        for k in range(prepared.operands):
-            data.extend(chain.from_iterable(parts[k] for parts, _ in rows))
-        data.extend(below for _, below in rows)
+        data = array("d", [*_integers(rows), *(below for _, below in rows)])
     except OverflowError:
         return None
-    stride = OF_SEGMENT + 4 * prepared.outputs
-    start, room = stride * segments, FEW * segments
     found = array("d", [0]) * (start + OF_ZERO * room)
     count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)
-    if count < 0:
-        return None
-    end = start + OF_ZERO * count
-    zeros = [
-        SegmentZero(int(k), int(s), low, high, int(before))
-        for k, s, low, high, before in zip(*[found[start + i : end : OF_ZERO] for i in range(OF_ZERO)], strict=True)
-    ]
-    made = [found[s : s + stride] for s in range(0, start, stride)]
-    return Signs([OPEN[int(x)] for x in found[:start:stride]], made, zeros)
+    del found[start + OF_ZERO * max(count, 0) :]
+    return None if count < 0 else Signs(found, outputs, start)
+
+
+def _integers(rows: Sequence[Row]) -> Iterator[int]:
+    """For each operand the integers of all segments."""
+    return chain.from_iterable(chain.from_iterable(zip(*[parts for parts, _ in rows], strict=True)))
+
+
+def nearest(program: Program, rows: Sequence[Row], zeros: array[float], ends: Sequence[mpq]) -> Sequence[float]:
+    """The doubles nearest to the parameters of some zeros, given by their numbers as in `Signs`, on the segments from
+    that of the first zero to that of the last one, with these ends; not a number for what is not certain.
+    """
+    prepared, found = _in_c(program), array("d", [nan]) * (len(zeros) // OF_ZERO)
+    try:
+        whole = [*_integers(rows)]
+        data, places = array("d", whole), array("d", map(float, ends))
+        exact = max(data) < EXACT and min(data) > -EXACT
+        rest, off = array("d", () if exact else _rest(whole, data)), array("d", _rest(ends, places))
+    except OverflowError:
+        return found
+    if filter_doubles is not None and prepared is not None:
+        addresses = [x.buffer_info()[0] for x in (data, rest, zeros, places, off, found)]
+        filter_doubles(byref(prepared), *addresses, len(rows), len(found))
+    return found
+
+
+def _rest(numbers: Iterable[mpq | int], near: Sequence[float]) -> Iterator[float]:
+    """The differences of numbers from doubles near them, each rounded once."""
+    return (float(x - mpq(y)) for x, y in zip(numbers, near, strict=True))

@@ -10,6 +10,7 @@ from ctypes import c_double
 from fractions import Fraction
 from sys import float_info
 
+from exactspline.numbers.exact import mpq
 from exactspline.programs.accelerator import loaded, surrounds
 
 #: A degree, and the integers of the forms x, y, w.
@@ -18,7 +19,7 @@ Segment = tuple[int, Sequence[Sequence[int]]]
 HIGHEST, OF_POINT = 5, 6
 OF_PAIR = c_double * (OF_POINT * HIGHEST**2)
 #: The numbers of two parameters.
-OF_PARAMETERS = c_double * 6
+OF_PARAMETERS = c_double * 8
 #: A box without ends.
 EVERYWHERE = (-float_info.max, float_info.max) * 2
 #: A segment about which nothing is certain.
@@ -54,8 +55,8 @@ def certain_pair(first: bytes, i: int, second: bytes | None, j: int) -> Sequence
 
 def closer(first: bytes, i: int, second: bytes, j: int, box: Sequence[float]) -> Sequence[float]:
     """The parameters of the common point of two segments of two precise tables in a box, the ends of the intervals of
-    both parameters: for each parameter a double near it, the difference from it, and a bound of the error of the
-    difference; nothing if it is not certain.
+    both parameters: for each parameter a double near it, the difference from it, a bound of the error of the
+    difference, and the double nearest to the parameter on the curve, or not a number; nothing if it is not certain.
     """
     near = OF_PARAMETERS(*box)
     return near[:] if filter_closer is not None and filter_closer(first, i, second, j, near) else ()
@@ -75,12 +76,13 @@ def _meets(function: Callable[..., int]) -> bool:
 def _closes(function: Callable[..., int]) -> bool:
     """Whether the common point of the line and the parabola at s = 1/6 and t = 1/4 is found to twice the precision."""
     table, near = (
-        precise_table_of([LINE, ARCH]),
+        precise_table_of([LINE, ARCH], [mpq(0), mpq(1), mpq(2)]),
         OF_PARAMETERS(1 / 6 - 2**-40, 1 / 6 + 2**-39, 1 / 4 - 2**-40, 1 / 4 + 2**-39),
     )
     return function(table, 0, table, 1, near) == 1 and all(
         abs(Fraction(near[k]) + Fraction(near[k + 1]) - Fraction(1, below)) <= near[k + 2] < 2**-80
-        for k, below in ((0, 6), (3, 4))
+        and near[k + 3] == k // 4 + 1 / below
+        for k, below in ((0, 6), (4, 4))
     )
 
 
@@ -89,19 +91,21 @@ def table_of(segments: Sequence[Segment]) -> bytes:
     return array("d", [x for segment in segments for x in segment_in_doubles(*segment)]).tobytes()
 
 
-def precise_table_of(segments: Sequence[Segment]) -> bytes:
-    """The numbers of segments for C to twice the precision: the degree, and each coefficient as a double near it and
-    the difference from it; zeros if a coefficient is too large.
+def precise_table_of(segments: Sequence[Segment], ends: Sequence[mpq]) -> bytes:
+    """The numbers of segments between these ends for C to twice the precision: the degree, and each coefficient as a
+    double near it and the difference from it; doubles near both ends, and the differences from them; zeros if a number
+    is too large.
     """
-    numbers: list[int] = []
+    numbers: list[float] = []
     try:
-        for n, forms in segments:
+        for (n, forms), *side in zip(segments, ends[:-1], ends[1:], strict=True):
             numbers.append(n)
             for form in forms:
                 numbers += [x for c in (*form, *[0] * (HIGHEST - n)) for x in (c, c - int(float(c)))]
+            numbers += [*map(float, side), *(float(x - mpq(float(x))) for x in side)]
         return array("d", numbers).tobytes()
     except OverflowError:
-        return bytes(8 * len(segments) * (1 + 6 * (HIGHEST + 1)))
+        return bytes(8 * len(segments) * (5 + 6 * (HIGHEST + 1)))
 
 
 def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:

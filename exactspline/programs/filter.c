@@ -210,26 +210,36 @@ static int sign_at(const Form *form, double t) {
     return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
+/* Two forms of lower degree in the scaled basis between which a form is interpolated: the first and the last ordinates. */
+static void halves(const Form *form, double *first, double *last) {
+    binomials(first, form->degree - 1);
+    for (int i = 0; i < form->degree; i++) {
+        last[i] = first[i] * form->value[i + 1];
+        first[i] *= form->value[i];
+    }
+}
+
 /* Unproved approximations of a zero and of the derivative there: Newton's method, or bisection where it leaves the bracket
    or is slow. */
-static double approximated(const Form *form, const Zero *zero, double *slope) {
-    int n = form->degree;
-    double low = zero->low, high = zero->high, x = (low + high) / 2, last = high - low, b[MOST];
-    for (int step = 0; step < STEPS && last > REACHED; step++) {
-        memcpy(b, form->value, (size_t)(n + 1) * sizeof(double));
-        for (int level = n; level > 1; level--)
-            for (int i = 0; i < level; i++)
-                b[i] = (1 - x) * b[i] + x * b[i + 1];
-        double value = (1 - x) * b[0] + x * b[1], move, near;
-        *slope = n * (b[1] - b[0]);
+static double approximated(const double *first, const double *last, int n, const Zero *zero, double *slope) {
+    double low = zero->low, high = zero->high, x = (low + high) / 2, latest = high - low;
+    for (int step = 0; step < STEPS && latest > REACHED; step++) {
+        double a = first[0], b = last[0], power = 1, value, move, near;
+        for (int i = 1; i < n; i++) {
+            power *= x;
+            a = (1 - x) * a + power * first[i];
+            b = (1 - x) * b + power * last[i];
+        }
+        value = (1 - x) * a + x * b;
+        *slope = n * (b - a);
         move = value / *slope;
         near = x - move;
         if (value * zero->before > 0)
             low = x;
         else
             high = x;
-        int good = near >= low && near <= high && 2 * fabs(move) <= last;
-        last = good ? fabs(move) : (high - low) / 2;
+        int good = near >= low && near <= high && 2 * fabs(move) <= latest;
+        latest = good ? fabs(move) : (high - low) / 2;
         x = good ? near : (low + high) / 2;
     }
     return x;
@@ -237,7 +247,9 @@ static double approximated(const Form *form, const Zero *zero, double *slope) {
 
 /* The zero in a narrower interval, where the signs at its ends are certain: the first is as wide as errors suggest. */
 static void narrowed(const Form *form, Zero *zero) {
-    double slope = 0, error, x = approximated(form, zero, &slope);
+    double first[MOST], last[MOST];
+    halves(form, first, last);
+    double slope = 0, error, x = approximated(first, last, form->degree, zero, &slope);
     value_at(form, x, &error);
     for (int k = -1; k < (int)(sizeof WIDTHS / sizeof *WIDTHS); k++) {
         double width = k < 0 ? fmax(2 * error / fabs(slope), 4 * ROUNDING) : WIDTHS[k];
@@ -252,6 +264,37 @@ static void narrowed(const Form *form, Zero *zero) {
 
 /* ---- a curve */
 
+/* What is said of a segment: a zero is not certain; the absence of zeros of the last output, or the sign of the weight
+   function, is not; a zero of the first output and one of another overlap. And of the knot at its start (for the first
+   segment: the seam): the first output changes its sign there; the second does; and the curvatures of both sides certainly
+   differ. The numbers of a segment beside those of its outputs, and of a zero. */
+enum { OPEN = 1, SLOW = 2, ENTANGLED = 4, BENDS = 8, TURNS = 16, DIFFERENT = 32, BESIDE = 3, OF_ZERO = 4 };
+/* Forms and weights below this are not used, since products of their powers could underflow; a bound of the relative error of
+   a product of a dozen factors, the weight functions among them. */
+static const double SMALL = 0x1p-60, PRODUCT = 0x1p-44;
+
+/* Bounds of the squared curvature, from the numbers of the first output K and of the last one S at an end and the weight
+   function there, up to a factor that both sides share: κ² is K² w⁶ / S³, whatever the parameter. */
+static int squared(const double *first, const double *last, double w, double *bounds) {
+    double k = fabs(first[0]), w3 = w * w * w, slow = last[0] - last[1], fast = last[0] + last[1];
+    double low = (k - first[1]) * w3, high = (k + first[1]) * w3;
+    bounds[0] = low * low / (fast * fast * fast) * (1 - PRODUCT);
+    bounds[1] = high * high / (slow * slow * slow) * (1 + PRODUCT);
+    return k - first[1] >= SMALL && slow >= SMALL && w >= SMALL;
+}
+
+/* What is said of the knot between two segments. */
+static int joined(const double *before, const double *behind, int outputs) {
+    const double *left = before + 3, *right = behind + 1;
+    int last = 4 * (outputs - 1), beside = 4 * outputs, flags = 0;
+    double one[2], other[2];
+    for (int k = 0; k < 2 && k < outputs - 1; k++)
+        flags |= (left[4 * k] > 0) == (right[4 * k] > 0) ? 0 : k ? TURNS : BENDS;
+    if (squared(left, left + last, before[beside + 2], one) && squared(right, right + last, behind[beside + 1], other) &&
+        (one[1] < other[0] || other[1] < one[0]))
+        flags |= DIFFERENT;
+    return flags;
+}
 
 /* Whether a weight function, from rounded coefficients, is certainly positive. */
 static int positive(const double *weights, int degree) {
@@ -300,8 +343,9 @@ static int ran(const Program *program, const double *data, int segment, int tota
     return 1;
 }
 
-/* Divide numbers by a power of two so that none is larger than 1; exact, as all are 0 or between 2^-500 and 2^500. */
-static void made_small(double *x, int count) {
+/* Divide numbers by a power of two, whose exponent is returned, so that none is larger than 1; exact, as all are 0 or
+   between 2^-500 and 2^500. */
+static int made_small(double *x, int count) {
     int size = -2000;
     for (int i = 0; i < count; i++) {
         int e;
@@ -311,6 +355,7 @@ static void made_small(double *x, int count) {
     }
     for (int i = 0; i < count; i++)
         x[i] = x[i] == 0 ? 0 : ldexp(x[i], -size);
+    return size;
 }
 
 /* `filter_curve` with room for the results of a program, which is too large for the stack of a thread. */
@@ -318,7 +363,7 @@ static int filtered(const Program *program, double *data, int segments, double *
                     double *masses) {
     static const double BIG = 0x1p500;
     int width = program->degree + 1, total = segments * width, coordinates = program->operands - program->rational;
-    int outputs = program->outputs, stride = 3 + 4 * outputs, count = 0, starts[RESULTS];
+    int outputs = program->outputs, stride = BESIDE + 4 * outputs, count = 0, all = 0, starts[RESULTS];
     const double *below = data + program->operands * total;
     if (program->length > RESULTS || width > MOST)
         return -1;
@@ -331,11 +376,14 @@ static int filtered(const Program *program, double *data, int segments, double *
     made_small(data, coordinates * total);
     if (program->rational)
         made_small(data + coordinates * total, total);
-    double *zero = found + segments * stride;
+    double *listed = found + outputs, *zero = listed + segments * stride;
+    memset(found, 0, (size_t)outputs * sizeof(double));
     for (int s = 0; s < segments; s++) {
-        double *here = found + s * stride;
+        double *here = listed + s * stride;
+        Zero bends[MOST];
+        int bent = 0;
         const double *weights = data + coordinates * total + s * width;
-        int open = program->rational && !positive(weights, program->degree) ? 2 : 0;
+        int open = program->rational && !positive(weights, program->degree) ? SLOW : 0;
         here[stride - 2] = program->rational ? weights[0] : 1;
         here[stride - 1] = program->rational ? weights[width - 1] : 1;
         if (!ran(program, data, s, total, values, masses, starts))
@@ -353,24 +401,38 @@ static int filtered(const Program *program, double *data, int segments, double *
             end[2] = form.value[n];
             end[3] = form.error[n];
             if (k == outputs - 1) {
-                open |= without_zeros(&copy, 0, &budget) ? 0 : 2;
+                open |= without_zeros(&copy, 0, &budget) ? 0 : SLOW;
                 continue;
             }
             int zeros = isolated(&copy, 0, 1, 0, own, 0, MOST);
-            open |= zeros < 0;
-            for (int i = 0; i < zeros; i++, count++, zero += 5) {
+            open |= zeros < 0 ? OPEN : 0;
+            for (int i = 0; i < zeros; i++, count++, zero += OF_ZERO) {
                 if (count == room)
                     return -2;
                 narrowed(&form, own + i);
-                zero[0] = k;
+                int sign = k && here[1] > 0;
+                for (int j = 0; k && j < bent; j++) {
+                    sign ^= bends[j].high <= own[i].low;
+                    open |= bends[j].low < own[i].high && own[i].low < bends[j].high ? ENTANGLED : 0;
+                }
+                zero[0] = 4 * k + 2 * (own[i].before > 0) + sign;
                 zero[1] = s;
                 zero[2] = own[i].low;
                 zero[3] = own[i].high;
-                zero[4] = own[i].before;
+                found[1 + k]++;
             }
+            if (k == 0 && zeros > 0)
+                memcpy(bends, own, (size_t)(bent = zeros) * sizeof(Zero));
         }
         here[0] = open;
     }
+    for (int s = 0; s < segments; s++) {
+        double *here = listed + s * stride;
+        int flags = (int)here[0] | joined(listed + (s ? s - 1 : segments - 1) * stride, here, outputs);
+        here[0] = flags;
+        all |= s ? flags : flags & ~(BENDS | TURNS | DIFFERENT);
+    }
+    found[0] = all;
     return count;
 }
 
@@ -378,10 +440,11 @@ static int filtered(const Program *program, double *data, int segments, double *
 
    data: for every operand, segment and coefficient an integer, rounded, and then the denominators of the segments; where
    the program is `rational` the last operand is a weight function, which must be positive. It is overwritten.
-   found: for every segment 1 where a zero is not certain, plus 2 where the absence of zeros of the last output or the
-   sign of the weight function is not; for every output the ordinates at both ends, each followed
-   by the bound of its error; and the weight function at both ends. Then for every zero: output, segment, the ends of an
-   interval, and the sign before it, in the order of segments, outputs and parameters.
+   found: what is said of any segment and knot, the seam apart, and the number of zeros of every output except the last. Then for every segment what
+   is said of it; for every output the ordinates at both ends, each followed by the bound of its error; and the weight
+   function at both ends. Then for every zero: four times its output, plus 2 where the sign before it is positive, plus 1
+   where it is one of another output than the first, which is positive there; its segment; and the ends of an interval, in
+   the order of segments, outputs and parameters.
 
    Returns the number of zeros, -1 where numbers or programs are too large, -2 where there are more than `room` zeros. */
 int filter_curve(const Program *program, double *data, int segments, double *found, int room) {
@@ -389,6 +452,278 @@ int filter_curve(const Program *program, double *data, int segments, double *fou
     int count = results ? filtered(program, data, segments, found, room, results, results + ROOM) : -1;
     free(results);
     return count;
+}
+
+/* ---- zeros to twice the precision */
+
+/* A number as a sum of two doubles, the second of which is at most half a unit in the last place of the first. */
+typedef struct {
+    double high, low;
+} Twice;
+
+/* Whether operations are rounded to nearest: then the remainders of sums and products are doubles. */
+static int to_nearest(void) {
+    volatile double one = 1, half = 0x1p-53, more = 0x1.8p-53;
+    return one + half == one && one + more > one;
+}
+
+/* The exact sum and the exact product of two doubles (Knuth, Dekker). */
+static Twice sum_of(double a, double b) {
+    double s = a + b, c = s - a;
+    return (Twice){s, (a - (s - c)) + (b - c)};
+}
+
+static Twice product_of(double a, double b) {
+    static const double PARTS = 0x1p27 + 1;
+    double p = a * b, c = PARTS * a, d = PARTS * b, x = c - (c - a), y = d - (d - b);
+    return (Twice){p, ((x * y - p) + x * (b - y) + (a - x) * y) + (a - x) * (b - y)};
+}
+
+/* With errors of at most 2^-102 times the sizes of the operands, or of their product. */
+static Twice sum(Twice a, Twice b) {
+    Twice s = sum_of(a.high, b.high);
+    return sum_of(s.high, s.low + (a.low + b.low));
+}
+
+static Twice product(Twice a, Twice b) {
+    Twice p = product_of(a.high, b.high);
+    return sum_of(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+/* A number to twice the precision, and a bound of its error. */
+typedef struct {
+    Twice value;
+    double error;
+} Near;
+
+/* The most derivatives of a form that are needed, and one more; how often a zero is enclosed more closely. */
+enum { ORDERS = 4, REPEATED = 4 };
+/* Bounds of the error of an operation: relative to the sizes of the operands, and absolute, by underflow. */
+static const double OF_TWICE = 0x1p-100, TINY = 0x1p-900;
+
+static Near near_to(double high, double low) {
+    return (Near){sum_of(high, low), OF_TWICE * fabs(high) + TINY};
+}
+
+static Near near_sum(Near a, Near b) {
+    double own = OF_TWICE * (fabs(a.value.high) + fabs(b.value.high)) + TINY;
+    return (Near){sum(a.value, b.value), a.error + b.error + own};
+}
+
+static Near near_product(Near a, Near b) {
+    double x = fabs(a.value.high), y = fabs(b.value.high);
+    double carried = x * b.error + y * a.error + a.error * b.error;
+    return (Near){product(a.value, b.value), 2 * carried + OF_TWICE * x * y + TINY};
+}
+
+/* A multiple by a double. */
+static Near near_times(double m, Near a) {
+    return near_product((Near){{m, 0}, 0}, a);
+}
+
+/* The most operands. What is known on one segment: the results of a program in doubles, its coefficients and those of their
+   derivatives, and at one point of every result the value and the derivatives. */
+enum { OPERANDS = 3 };
+typedef struct {
+    double values[ROOM], masses[ROOM];
+    Near loaded[OPERANDS][ORDERS][MOST], jets[RESULTS][ORDERS];
+} Closer;
+
+/* The coefficients of an operand and of its derivatives in the direction (−1, 1). */
+static void loaded_from(const double *high, const double *low, int degree, Near (*to)[MOST]) {
+    for (int i = 0; i <= degree; i++)
+        to[0][i] = near_to(high[i], low[i]);
+    for (int k = 1; k < ORDERS; k++)
+        for (int i = 0; i <= degree - k; i++)
+            to[k][i] = near_sum(near_times(i + 1, to[k - 1][i + 1]), near_times(i - degree + k - 1, to[k - 1][i]));
+}
+
+/* The value of a form, by coefficients, where the powers of v are known; 0 for one of negative degree. */
+static Near near_value(const Near *c, int n, Near u, const Near *powers) {
+    Near value = n < 0 ? (Near){{0, 0}, 0} : c[0];
+    for (int i = 1; i <= n; i++)
+        value = near_sum(near_product(value, u), near_product(c[i], powers[i]));
+    return value;
+}
+
+/* How many derivatives of each result are needed for one output without derivatives, -1 where the result is not needed:
+   0 where there are too many. */
+static int orders_for(const Program *program, int output, int *orders) {
+    for (int k = 0; k < program->length; k++)
+        orders[k] = k == program->output[output] ? 0 : -1;
+    for (int k = program->length - 1; k >= 0; k--) {
+        const Instruction *one = program->code + k;
+        int order = orders[k] + (one->name == DERIVE || one->name == DU || one->name == DV);
+        if (orders[k] < 0 || one->name == LOAD)
+            continue;
+        if (order >= ORDERS || (one->name == OVER_U && order))
+            return 0;
+        if (one->a >= 0 && orders[one->a] < order)
+            orders[one->a] = order;
+        if ((one->name == MUL || one->name == SUM) && one->b >= 0 && orders[one->b] < order)
+            orders[one->b] = order;
+    }
+    return 1;
+}
+
+/* An output at (1 − t, t). */
+static Near output_at(const Program *program, int output, const int *orders, double t, Closer *own) {
+    static const Near ONE[ORDERS] = {{{1, 0}, 0}};
+    static const double TIMES[ORDERS][ORDERS] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+    Near u = {sum_of(1, -t), 0}, v = {{t, 0}, 0}, minus = {{-t, 0}, 0}, powers[MOST] = {{{1, 0}, 0}};
+    for (int i = 1; i <= program->degree; i++)
+        powers[i] = near_product(powers[i - 1], v);
+    for (int k = 0; k <= program->output[output]; k++) {
+        const Instruction *one = program->code + k;
+        const Near *a = one->name == LOAD || one->a < 0 ? ONE : own->jets[one->a], *b = one->b < 0 ? ONE : own->jets[one->b];
+        int n = one->name == LOAD || one->a < 0 ? 0 : program->code[one->a].degree;
+        for (int order = 0; order <= orders[k]; order++) {
+            Near *to = &own->jets[k][order];
+            switch (one->name) {
+            case LOAD:
+                *to = near_value(own->loaded[one->a][order], program->degree - order, u, powers);
+                break;
+            case MUL:
+                *to = near_product(a[0], b[order]);
+                for (int i = 1; i <= order; i++)
+                    *to = near_sum(*to, near_product(near_times(TIMES[order][i], a[i]), b[order - i]));
+                break;
+            case SUM:
+                *to = near_sum(near_times(one->m, a[order]), near_times(one->n, b[order]));
+                break;
+            case RAISE:
+                *to = a[order];
+                break;
+            case DERIVE:
+                *to = a[order + 1];
+                break;
+            case DU:
+                *to = near_sum(near_times(n - order, a[order]), near_product(minus, a[order + 1]));
+                break;
+            case DV:
+                *to = near_sum(near_times(n - order, a[order]), near_product(u, a[order + 1]));
+                break;
+            case OVER_U:
+                to->value = (Twice){a->value.high / u.value.high, 0};
+                to->error = 2 * (a->error + fabs(a->value.low)) / u.value.high + 4 * ROUNDING * fabs(to->value.high) + TINY;
+                break;
+            default:
+                *to = near_times(one->m, a[order]);
+            }
+        }
+    }
+    return own->jets[program->output[output]][0];
+}
+
+/* The value of a form at a parameter, and a bound of its distance from all values over an interval that begins there. */
+static double value_over(const Form *form, double low, double high, double *bound) {
+    int n = form->degree;
+    double steep = 0, value = value_at(form, low, bound);
+    for (int i = 0; i < n; i++)
+        steep = fmax(steep, fabs(form->value[i + 1] - form->value[i]) + form->error[i] + form->error[i + 1]);
+    *bound = (*bound + n * steep * (high - low)) * (1 + 16 * ROUNDING);
+    return value;
+}
+
+/* The zero of a form in an interval by one step of the interval Newton method from the value in the middle, which proves
+   once more that there is one: 0 where it does not. */
+static int closer_zero(const Form *form, double low, double high, double middle, Near value, Near *zero) {
+    Form slope;
+    int n = slope.degree = form->degree - 1;
+    for (int i = 0; i <= n; i++) {
+        slope.value[i] = (n + 1) * (form->value[i + 1] - form->value[i]);
+        slope.error[i] = (n + 1) * (form->error[i] + form->error[i + 1]) * (1 + 8 * ROUNDING) +
+                         4 * ROUNDING * fabs(slope.value[i]) + UNDERFLOW;
+    }
+    double bound, steep = value_over(&slope, low, high, &bound), least = (fabs(steep) - bound) * (1 - 8 * ROUNDING);
+    if (n < 0 || !(least > 0))
+        return 0;
+    double move = -value.value.high / steep, off = value.error + fabs(value.value.low);
+    double error = 2 * ((fabs(move) * bound + off) / least + 4 * ROUNDING * fabs(move)) + TINY;
+    *zero = (Near){sum_of(middle, move), error};
+    return fmin((middle - low) + move, (high - middle) - move) > 2 * error + 8 * ROUNDING * (high - low);
+}
+
+/* The double nearest to a parameter over an interval, each of whose ends is a double near it and the difference from it;
+   not a number where that is not certain, and at zero. */
+static double nearest_over(const double *ends, const double *off, Near t) {
+    Near a = near_to(ends[0], off[0]), minus = near_to(-ends[0], -off[0]), width = near_sum(near_to(ends[1], off[1]), minus);
+    Near x = near_sum(a, near_product(width, t));
+    double error = 2 * x.error + OF_TWICE * fabs(x.value.high);
+    double low = x.value.high + (x.value.low - error), high = x.value.high + (x.value.low + error);
+    return low == high && low != 0 && fabs(low) <= DBL_MAX ? low : NAN;
+}
+
+/* `filter_doubles` with its room. */
+static int rounded(const Program *program, const double *data, const double *rest, const double *zeros, const double *ends,
+                   const double *off, double *nearest, int segments, int count, Closer *room) {
+    static const double BIG = 0x1p500;
+    double high[OPERANDS * MOST], low[OPERANDS * MOST];
+    int width = program->degree + 1, total = segments * width, coordinates = program->operands - program->rational;
+    int starts[RESULTS], orders[RESULTS], last = -1, of = -1;
+    if (program->length > RESULTS || width > MOST || program->operands > OPERANDS || !to_nearest())
+        return -1;
+    for (int i = 0; i < count; i++) {
+        const double *own = zeros + OF_ZERO * i;
+        int output = (int)own[0] / 4, segment = (int)(own[1] - zeros[1]), used = coordinates * width;
+        nearest[i] = NAN;
+        if (segment < 0 || segment >= segments || output < 0 || output >= program->outputs)
+            return -1;
+        if (segment != last) {
+            for (int k = 0; k < program->operands * width; k++) {
+                int from = k / width * total + segment * width + k % width;
+                high[k] = data[from];
+                low[k] = rest ? rest[from] : 0;
+                if (!(fabs(high[k]) < BIG && fabs(low[k]) < BIG))
+                    return -1;
+            }
+            int first = made_small(high, used), second = made_small(high + used, program->operands * width - used);
+            for (int k = 0; k < program->operands * width; k++)
+                low[k] = ldexp(low[k], k < used ? -first : -second);
+            if (!ran(program, high, 0, width, room->values, room->masses, starts))
+                return -1;
+            for (int k = 0; k < program->operands; k++)
+                loaded_from(high + k * width, low + k * width, program->degree, room->loaded[k]);
+            last = segment;
+            of = -1;
+        }
+        if (output != of && !orders_for(program, output, orders))
+            return -1;
+        Form form;
+        Near t;
+        int at = program->output[output];
+        double from = own[2], to = own[3];
+        ordinates(&form, program->code[at].degree, room->values + starts[at], room->masses + starts[at],
+                  program->factors[2 * output], program->factors[2 * output + 1]);
+        for (int step = 0; step < REPEATED && isnan(nearest[i]); step++) {
+            double middle = (from + to) / 2;
+            if (!closer_zero(&form, from, to, middle, output_at(program, output, orders, middle, room), &t))
+                break;
+            nearest[i] = nearest_over(ends + segment, off + segment, t);
+            double around = t.error + 4 * ROUNDING * fabs(t.value.high);
+            from = fmax(from, t.value.high - around);
+            to = fmin(to, t.value.high + around);
+        }
+        of = output;
+    }
+    return count;
+}
+
+/* The doubles nearest to the parameters of zeros that `filter_curve` has found.
+
+   data: for every operand, segment and coefficient an integer, rounded, from the segment of the first of these zeros on.
+   rest: the differences from the integers, each rounded once; absent where there are none.
+   zeros: as in `filter_curve`.
+   ends, off: for each end of a segment a double near its parameter, and the difference from it, rounded once.
+   nearest: for each zero the double; not a number where it is not certain.
+
+   Returns the number of zeros, -1 where numbers or programs are too large, or doubles are not rounded to nearest. */
+int filter_doubles(const Program *program, const double *data, const double *rest, const double *zeros, const double *ends,
+                   const double *off, double *nearest, int segments, int count) {
+    Closer *room = malloc(sizeof *room);
+    int known = room ? rounded(program, data, rest, zeros, ends, off, nearest, segments, count, room) : -1;
+    free(room);
+    return known;
 }
 
 /* ---- two curves */
@@ -644,16 +979,6 @@ static void eliminated_itself(const Points *p, const Points *q, Room *own, Form 
         top->value[i] = -top->value[i];
 }
 
-/* The value of a form at a parameter, and a bound of its distance from all values over an interval that begins there. */
-static double value_over(const Form *form, double low, double high, double *bound) {
-    int n = form->degree;
-    double steep = 0, value = value_at(form, low, bound);
-    for (int i = 0; i < n; i++)
-        steep = fmax(steep, fabs(form->value[i + 1] - form->value[i]) + form->error[i] + form->error[i + 1]);
-    *bound = (*bound + n * steep * (high - low)) * (1 + 16 * ROUNDING);
-    return value;
-}
-
 /* Where a zero of the determinant lies on the first curve: 1 on the segment, with bounds of the parameter, -1 outside, 0
    where that is not certain. */
 static int place_on_first(const Form *top, const Form *bottom, const Zero *zero, double *bounds) {
@@ -747,51 +1072,17 @@ int filter_pair(const double *first, int i, const double *second, int j, double 
 
 /* ---- the parameters of a common point to twice the precision */
 
-/* A number as a sum of two doubles, the second of which is at most half a unit in the last place of the first. */
-typedef struct {
-    double high, low;
-} Twice;
-
 /* The coefficients of the coordinates x, y, w of a segment. */
 typedef struct {
     int degree;
     Twice value[3][SIDE];
 } Precise;
 
-/* The numbers of a segment for `filter_closer`; how often a step of Newton's method is taken. */
-enum { OF_PRECISE = 1 + 2 * 3 * SIDE, CLOSER = 6 };
+/* The numbers of a segment for `filter_closer`, without those of its ends and with them; how often a step of Newton's method is taken. */
+enum { OF_PRECISE = 1 + 2 * 3 * SIDE, WITH_ENDS = OF_PRECISE + 4, CLOSER = 6 };
 /* Bounds of the roundings of an equation, of those of its derivatives and of their inverse, and of second derivatives; the
    length of a step after which no other is needed. */
 static const double OF_EQUATION = 0x1p-96, OF_DERIVATIVES = 0x1p-41, CURVED = 768, CLOSE = 0x1p-50;
-
-/* Whether operations are rounded to nearest: then the remainders of sums and products are doubles. */
-static int to_nearest(void) {
-    volatile double one = 1, half = 0x1p-53, more = 0x1.8p-53;
-    return one + half == one && one + more > one;
-}
-
-/* The exact sum and the exact product of two doubles (Knuth, Dekker). */
-static Twice sum_of(double a, double b) {
-    double s = a + b, c = s - a;
-    return (Twice){s, (a - (s - c)) + (b - c)};
-}
-
-static Twice product_of(double a, double b) {
-    static const double PARTS = 0x1p27 + 1;
-    double p = a * b, c = PARTS * a, d = PARTS * b, x = c - (c - a), y = d - (d - b);
-    return (Twice){p, ((x * y - p) + x * (b - y) + (a - x) * y) + (a - x) * (b - y)};
-}
-
-/* With errors of at most 2^-102 times the sizes of the operands, or of their product. */
-static Twice sum(Twice a, Twice b) {
-    Twice s = sum_of(a.high, b.high);
-    return sum_of(s.high, s.low + (a.low + b.low));
-}
-
-static Twice product(Twice a, Twice b) {
-    Twice p = product_of(a.high, b.high);
-    return sum_of(p.high, p.low + (a.high * b.low + a.low * b.high));
-}
 
 /* A coordinate at a parameter, and its derivative in doubles. */
 static Twice coordinate(const Precise *p, int c, double t, double *slope) {
@@ -865,14 +1156,16 @@ static int made_alike(const double *const given[2], Precise *to) {
 
 /* The parameters of a common point of a segment of the first table and one of the second.
 
-   first, second: `OF_PRECISE` numbers for each segment: the degree, and the coefficients of x, y and w in the scaled basis,
-   integers, each as a double near it and the difference from it, rounded once.
+   first, second: `WITH_ENDS` numbers for each segment: the degree, and the coefficients of x, y and w in the scaled basis,
+   integers, each as a double near it and the difference from it, rounded once; doubles near the ends of the segment, and the
+   differences from these.
    box: the ends of the intervals of both parameters, in which there is one common point. They are replaced: for each
-   parameter a double near it, the difference from it, and a bound of the error of the difference.
+   parameter a double near it, the difference from it, a bound of the error of the difference, and the double nearest to the
+   parameter on the curve; not a number where that is not certain.
 
    Returns 1 if it is proved again that there is a common point in the box, and where it is; 0 otherwise. */
 int filter_closer(const double *first, int i, const double *second, int j, double *box) {
-    const double *given[2] = {first + i * OF_PRECISE, second + j * OF_PRECISE};
+    const double *given[2] = {first + i * WITH_ENDS, second + j * WITH_ENDS};
     double at[2] = {(box[0] + box[1]) / 2, (box[2] + box[3]) / 2}, value[2], by[2][2], move[2], norm, all;
     Precise p[2];
     if (!to_nearest() || !made_alike(given, p))
@@ -898,8 +1191,10 @@ int filter_closer(const double *first, int i, const double *second, int j, doubl
     int inside = contraction < 0.25;
     for (int k = 0; k < 2; k++)
         inside &= fmin((at[k] - box[2 * k]) + move[k], (box[2 * k + 1] - at[k]) - move[k]) > 2 * error + CLOSE * CLOSE;
-    double near[6] = {at[0], move[0], error, at[1], move[1], error};
-    if (inside)
-        memcpy(box, near, sizeof near);
+    for (int k = 0; k < 2 && inside; k++) {
+        const double *ends = given[k] + OF_PRECISE;
+        double known[4] = {at[k], move[k], error, nearest_over(ends, ends + 2, (Near){sum_of(at[k], move[k]), error})};
+        memcpy(box + 4 * k, known, sizeof known);
+    }
     return inside;
 }

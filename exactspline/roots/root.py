@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
-from math import inf
+from math import isnan, nan
 from typing import Any, Protocol, cast
 
 from flint import arb, ctx, fmpz_poly
@@ -13,7 +12,7 @@ from exactspline.errors import NumberError, ShapeError, shown
 from exactspline.hooks import Displayed
 from exactspline.numbers.exact import Rounding, mpq, mpz, rational, to_fmpq
 from exactspline.numbers.intervals import Interval, ball_ends
-from exactspline.numbers.once import cached_property, fill
+from exactspline.numbers.once import cached_property, fill, setters
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.elimination import ONE, X, linear, primitive, without_quadratic_zero
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, Zero
@@ -38,20 +37,13 @@ class _LazyForm(Protocol):
         """The zeros of the form inside the segment, by exact arithmetic."""
 
 
-@lru_cache(256)
-def _in_balls(side: Interval) -> tuple[arb, arb]:
-    """The start and the width of an interval, to `PRECISION` bits."""
-    with ctx.workprec(PRECISION):
-        return arb(to_fmpq(side.low)), arb(to_fmpq(side.width))
-
-
 class InDoubles:
     """A local parameter t of a segment in an interval of doubles: the only common point, or the only zero, there."""
 
-    def __init__(self, interval: Sequence[float], near: Sequence[float] = ()) -> None:
-        #: A double near the parameter, the difference from it, and a bound of the error of the difference, if these are
-        #: known.
-        self.interval, self.near = interval, near
+    def __init__(self, interval: Sequence[float], near: Sequence[float] = (), side: Interval | None = None) -> None:
+        #: A double near the parameter, the difference from it, a bound of the error of the difference, and the double
+        #: nearest to the parameter on a segment over the interval `side`, if these are known.
+        self.interval, self.near, self.side = interval, near, side
 
     @property
     def low(self) -> mpq:
@@ -66,20 +58,13 @@ class InDoubles:
     def balls(self) -> Iterator[arb]:
         """Ever smaller balls around the parameter, at FLINT's current precision."""
         low, high = map(arb, self.interval)
-        yield arb(self.near[0]) + arb(*self.near[1:]) if self.near else low.union(high)
+        yield arb(self.near[0]) + arb(*self.near[1:3]) if self.near else low.union(high)
 
-    def double(self, side: Interval, rounding: str) -> float | None:
-        """The parameter on a segment over an interval as a double; None if balls do not decide it, and for rounding
-        modes other than to nearest.
+    def nearest(self, side: Interval | None, rounding: str) -> float:
+        """The double nearest to the parameter on a segment over an interval, if it is known and asked for; else not a
+        number.
         """
-        with ctx.workprec(PRECISION):
-            start, width = _in_balls(side)
-            for local in self.balls() if rounding == Rounding.NEAREST else ():
-                t = start + width * local
-                low, high = float(t.lower()), float(t.upper())
-                if low == high and 0 < abs(low) < inf:
-                    return low
-        return None
+        return self.near[3] if self.near and side is self.side and rounding == Rounding.NEAREST else nan
 
     def part(self, bits: int) -> Interval | None:
         """A part of the interval, at most ``2^−bits`` wide, with the parameter strictly inside; None if balls do not
@@ -100,9 +85,15 @@ class LazyRoot(InDoubles):
     multiplicity = 1
 
     def __init__(
-        self, form: _LazyForm, number: int, before: int, interval: Sequence[float], near: Sequence[float] = ()
+        self,
+        form: _LazyForm,
+        number: int,
+        before: int,
+        interval: Sequence[float],
+        near: Sequence[float] = (),
+        side: Interval | None = None,
     ) -> None:
-        super().__init__(interval, near)
+        super().__init__(interval, near, side)
         self.form, self.number, self.before, self.signs = form, number, before, (before, -before)
         #: The smallest ball that is known.
         self._found: arb | None = None
@@ -208,14 +199,14 @@ class Root(Real, Displayed):
 
     def __init__(
         self,
-        low: mpq | None,
-        high: mpq | None,
+        low: mpq,
+        high: mpq,
         multiplicities: tuple[int | None, int | None],
         signs: tuple[int | None, int | None],
         zero: Zero | None = None,
         segment: Interval | None = None,
     ) -> None:
-        first = None if low is None or high is None else Interval(rational(low), rational(high))
+        first = Interval(rational(low), rational(high))
         if not (
             isinstance(multiplicities, tuple) and isinstance(signs, tuple) and len(multiplicities) == len(signs) == 2
         ):
@@ -231,7 +222,7 @@ class Root(Real, Displayed):
             right_multiplicity=multiplicities[1],
             signs=signs,
             segment=segment,
-            **UNASKED | {"_exact": first.low if first and first.low == first.high else None},
+            **UNASKED | {"_exact": first.low if first.low == first.high else None},
         )
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -424,18 +415,15 @@ class Root(Real, Displayed):
     def _enclosed(self, digits: int) -> Interval:
         if (ball := self.ball) is not None and self.segment is not None and self._narrowest is None:
             with ctx.workprec(PRECISION):
-                start, width = _in_balls(self.segment)
-                t = start + width * (ball / (1 + ball))
+                t = arb(to_fmpq(self.segment.low)) + arb(to_fmpq(self.segment.width)) * (ball / (1 + ball))
             if (ends := ball_ends(t)).width * mpz(10) ** max(digits, 0) <= 1:
                 return ends
         return self.refine(digits)
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """Return the correctly rounded double; this is faster for a root that was isolated in doubles."""
-        found = None
-        if isinstance(self._zero, LazyRoot) and self.segment is not None:
-            found = self._zero.double(self.segment, rounding)
-        return super().double(rounding) if found is None else found
+        known = self._zero.nearest(self.segment, rounding) if isinstance(self._zero, LazyRoot) else nan
+        return super().double(rounding) if isnan(known) else known
 
     def __repr__(self) -> str:
         left, right = ({None: "end", 1: "+", -1: "−", 0: "0"}[s] for s in self.signs)
@@ -492,6 +480,25 @@ def _digits(width: mpq, most: int) -> int:
     if width == 0:
         return most
     return min(most, max(0, (int(1 / width).bit_length() - 1) * 30103 // 100000))
+
+
+_set_zero, _set_segment, _set_signs, _set_left, _set_right = setters(
+    Root, "_zero", "segment", "signs", "left_multiplicity", "right_multiplicity"
+)
+_unset = setters(Root, "_initial", "_narrowest", "_polynomial", *UNASKED)
+
+
+def root_inside(zero: LazyRoot, segment: Interval) -> Root:
+    """A zero that is isolated in doubles, on a segment over an interval, as a `Root`."""
+    root = object.__new__(Root)
+    _set_zero(root, zero)
+    _set_segment(root, segment)
+    _set_signs(root, zero.signs)
+    _set_left(root, 1)
+    _set_right(root, 1)
+    for unset in _unset:
+        unset(root, None)
+    return root
 
 
 def knot_root(t: mpq) -> Root:

@@ -5,7 +5,7 @@ numbers.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import comb
+from math import comb, isnan, nan
 from typing import cast
 
 from flint import ctx, fmpz, fmpz_poly
@@ -18,7 +18,7 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
 from exactspline.reals.real import UNASKED, RationalNumber, Real
-from exactspline.roots.root import LazyRoot, Root
+from exactspline.roots.root import LazyRoot, Root, root_inside
 from exactspline.roots.values import ValueAt
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -132,9 +132,9 @@ class ImageValue(ValueAt):
         return self._quotient()[1]
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
-        """The correctly rounded double, from balls around the common point, if there are any."""
-        found = self._image.local and self._image.local.double(self._sides[0], rounding)
-        return super().double(rounding) if found is None else found
+        """The correctly rounded double; this is faster for a common point that was found in doubles."""
+        known = self._image.local.nearest(self._sides[0], rounding) if self._image.local else nan
+        return super().double(rounding) if isnan(known) else known
 
     def _enclosed(self, digits: int) -> Interval:
         """An enclosure by balls around the entries of the adjugate."""
@@ -175,7 +175,7 @@ def root_at(place: Place, side: Interval) -> Real:
         return RationalNumber(side.at(t))
     zero = place.zero
     if isinstance(zero, LazyRoot) and not place.bits:
-        return Root(None, None, (1, 1), zero.signs, zero, side)
+        return root_inside(zero, side)
     root = Root(side.at(zero.low), side.at(zero.high), (zero.multiplicity, zero.multiplicity), zero.signs, zero, side)
     low, high = place.interval
     root.narrow_to(side.at(low), side.at(high))

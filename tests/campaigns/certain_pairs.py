@@ -11,6 +11,7 @@ import sys
 import time
 from collections import Counter
 from fractions import Fraction
+from math import isnan
 from random import Random
 
 from exactspline.geometry.pairs.lazy_intersections import PairForm
@@ -110,18 +111,22 @@ def differing(rows, decide=certain_pair):
     of_degree = 0 if form.exchanged else 1
     points = [[point.first, point.second] for point in true.points]
     numbers = [[parameter(local, UNIT, UNIT) for local in point] for point in points]
-    order, precise = sorted(range(len(found)), key=lambda k: numbers[k][of_degree]), precise_table_of(given)
+    order = sorted(range(len(found)), key=lambda k: numbers[k][of_degree])
+    precise, other = (precise_table_of([segment], UNIT) for segment in given)
     for one, k in zip(found, order, strict=True):
         if true.points[k].multiplicity != 1:
             return 0, f"{one} is not simple"
-        near = closer(precise, 0, precise, 1, one[:4])
-        for real, (low, high), own in zip(numbers[k], (one[:2], one[2:4]), (near[:3], near[3:]), strict=True):
+        near = closer(precise, 0, other, 0, one[:4])
+        for real, (low, high), own in zip(numbers[k], (one[:2], one[2:4]), (near[:4], near[4:]), strict=True):
             a, b = real.enclosure(DIGITS)
             if not (low <= a and b <= high and 0 <= low <= high <= 1 and a > 0 and b < 1):
                 return 0, f"{real} is not in [{low!r}, {high!r}]"
             if own and not abs((a + b) / 2 - mpq(own[0]) - mpq(own[1])) <= mpq(own[2]) + (b - a):
                 return 0, f"{real} is not {own}"
-            if (double := InDoubles((low, high), own).double(UNIT, "nearest")) not in (None, real.double()):
+            if (
+                not isnan(double := InDoubles((low, high), own, UNIT).nearest(UNIT, "nearest"))
+                and double != real.double()
+            ):
                 return 0, f"{double} is not the double nearest to {real}"
         (low, high), (before, number) = one[2 * of_degree :][:2], one[4:]
         if sign_at(form.form.polynomial, mpq(low)) != before:

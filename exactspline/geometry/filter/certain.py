@@ -5,11 +5,12 @@ and contain exact numbers.
 
 from __future__ import annotations
 
+from array import array
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from functools import partial
-from math import comb
+from math import comb, nan
 from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly
@@ -18,27 +19,37 @@ from exactspline.geometry.curves.facts import Facts
 from exactspline.geometry.curves.features import critical_points, flat_points
 from exactspline.geometry.curves.joints import end_direction
 from exactspline.geometry.curves.kinds import Feature, FeatureKind
-from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, SPEED, plane_program
+from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, plane_program
 from exactspline.geometry.derived.constructions import Variant
-from exactspline.numbers.exact import mpq
+from exactspline.numbers.exact import Rounding, mpq
 from exactspline.numbers.intervals import Interval, Side
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bernstein import ONE, raiser
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, isolate
 from exactspline.programs import accelerator
-from exactspline.programs.accelerator import SegmentZero, signs
+from exactspline.programs.accelerator import (
+    BENDS,
+    DIFFERENT,
+    ENTANGLED,
+    OF_ZERO,
+    SLOW,
+    TURNS,
+    UNCERTAIN,
+    SegmentZero,
+    Signs,
+    nearest,
+    signs,
+)
 from exactspline.programs.program import Program
 from exactspline.roots.answers import CurvePiece, Places
-from exactspline.roots.root import LazyRoot, Root
+from exactspline.roots.root import LazyRoot, Root, root_inside
 from exactspline.splines.blossom import CommonRows
 from exactspline.splines.knots import mesh_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.system import collector_quiet
 
-#: Forms and weights below this are not used: products of their powers could underflow.
-SMALL = 2**-60
-#: The relative error of a product of a dozen factors, the weight functions among them, is below this.
-CLOSE = 2**-44
+#: This many zeros are rounded to doubles at once.
+BLOCK = 64
 
 
 class Jump(NamedTuple):
@@ -49,6 +60,10 @@ class Jump(NamedTuple):
     output: int
     knot: int
     before: int
+
+
+#: Zeros of κ and of κ′ that are not certain in doubles, but at knots or decided exactly.
+Apart = tuple[list[Jump | Feature], list[Jump | Feature]]
 
 
 def _is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
@@ -66,31 +81,24 @@ def _is_straight(operands: Sequence[fmpz_poly], degree: int) -> bool:
     return k is None or first * second[k] == second * first[k]
 
 
-def _jumps(facts: Facts, ends: Sequence[Sequence[float]], others: Set[int]) -> Iterator[Jump]:
+def _jumps(facts: Facts, found: Signs, others: Set[int]) -> Iterator[Jump]:
     """The changes of sign of κ and κ′ by a jump at the knots of a plane curve, except at the ends of `others`: straight
-    segments (a zero at an end of a straight piece belongs to the piece), and the segments decided exactly.
-
-    `ends`: for every segment the numbers of `Signs.ends`; the signs of the ordinates are certain, and γ′ ≠ 0.
+    segments (a zero at an end of a straight piece belongs to the piece), and the segments decided exactly. γ′ ≠ 0.
     """
-    continuity = mesh_of(facts.curve.knots, facts.curve.degree)[1]
-    for i in range(0 if facts.closed else 1, len(ends)):
-        if others and (i in others or (i - 1) % len(ends) in others):
-            continue
-        left, right = ends[i - 1], ends[i]
-        bends, turns = ((left[4 * k + 3] > 0) != (right[4 * k + 1] > 0) for k in (CURVATURE, CRITICAL))
-        if not bends and not turns:
+    continuity, count = mesh_of(facts.curve.knots, facts.curve.degree)[1], facts.curve.segments
+    for i, flags in enumerate(found.of_segments):
+        if not flags & (BENDS | TURNS) or not (i or facts.closed) or not others.isdisjoint((i, (i - 1) % count)):
             continue
         smooth = continuity[i - 1] if i else 0
         if smooth < 1 and not facts.tangent_continuous(i):
             continue
-        if bends:
-            # κ jumps from one sign to the other, so that it has no extremum there
-            yield Jump(CURVATURE, i, 1 if left[4 * CURVATURE + 3] > 0 else -1)
-        elif smooth >= 2 or (not _differ(left, right) and facts.same_curvature(i)):
-            yield Jump(CRITICAL, i, 1 if left[4 * CRITICAL + 3] > 0 else -1)
+        # where κ jumps from one sign to the other it has no extremum
+        output = CURVATURE if flags & BENDS else CRITICAL
+        if output == CURVATURE or smooth >= 2 or (not flags & DIFFERENT and facts.same_curvature(i)):
+            yield Jump(output, i, -1 if found.positive(output, i) else 1)
 
 
-def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]] | None:
+def _on_runs(curve: Nurbs, left: Set[int]) -> Apart | None:
     """The zeros of κ and of κ′ on some segments of a curve and at their ends, by exact arithmetic on these segments
     and one more on both sides. None where the whole curve must be decided: at a seam, where γ′ or a form vanishes on a
     whole segment, and where there are many such segments.
@@ -98,7 +106,7 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]
     count = curve.segments
     if 2 * len(left) > count or (curve.closed and not left.isdisjoint((0, count - 1))):
         return None
-    found: tuple[list[Feature], list[Feature]] = ([], [])
+    found: Apart = ([], [])
     starts = [i for i in sorted(left) if i - 1 not in left]
     for start, end in zip(starts, [i for i in sorted(left) if i + 1 not in left], strict=True):
         first, last = max(start - 1, 0), min(end + 2, count)
@@ -113,27 +121,6 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> tuple[list[Feature], list[Feature]
     return found
 
 
-def _differ(left: Sequence[float], right: Sequence[float]) -> bool:
-    """Whether the curvatures of two sides, which have the same sign, certainly differ: κ² is ``K² w⁶ / S³`` for the
-    forms K of κ and S of the speed, whatever the parameter, up to a factor that both sides share.
-    """
-    first, second = _squared(left, Side.LEFT), _squared(right, Side.RIGHT)
-    return bool(first and second and (first[1] < second[0] or second[1] < first[0]))
-
-
-def _squared(end: Sequence[float], side: Side) -> tuple[float, float] | None:
-    """Bounds of the squared curvature at an end of a segment."""
-    at, w = (3, end[-1]) if side is Side.LEFT else (1, end[-2])
-    k, error = abs(end[4 * CURVATURE + at]), end[4 * CURVATURE + at + 1]
-    s, off = end[4 * SPEED + at], end[4 * SPEED + at + 1]
-    if min(k - error, s - off, w) < SMALL:
-        return None
-    w3 = w * w * w
-    low, high = (k - error) * w3, (k + error) * w3
-    slow, fast = s - off, s + off
-    return low * low / (fast * fast * fast) * (1 - CLOSE), high * high / (slow * slow * slow) * (1 + CLOSE)
-
-
 #: The kinds of an extremum.
 KINDS = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
 #: A zero of κ or κ′.
@@ -141,41 +128,43 @@ Found = SegmentZero | Jump | Feature
 
 
 @dataclass
-class _Segment:
-    """One segment of a curve: the integers of its operands, and its interval."""
-
-    program: Program
-    rows: CommonRows
-    ends: Interval
-
-    @cached_property
-    def outputs(self) -> Sequence[Any]:
-        """The integers of the outputs of the program."""
-        operands, below = self.rows
-        return self.program.run([[fmpz_poly(list(c))] for c in operands], [[fmpz(below)]], [(ONE, ONE)])[0]
-
-    @cached_property
-    def forms(self) -> tuple[_SegmentForm, _SegmentForm]:
-        """κ and κ′ up to positive factors."""
-        return _SegmentForm(self, CURVATURE), _SegmentForm(self, CRITICAL)
-
-
-@dataclass
 class _SegmentForm:
     """An output of a program on one segment."""
 
-    segment: _Segment
+    curve: Certain
     output: int
+    segment: int
 
     @cached_property
     def form(self) -> LocalPolynomial:
         """The form as an integer polynomial."""
-        return LocalPolynomial(self.segment.outputs[self.output])
+        return self.curve.form(self.output, self.segment)
 
     @cached_property
     def inner(self) -> list[LocalZero]:
         """The zeros of the form inside the segment, by exact arithmetic."""
-        return isolate(self.form.polynomial, self.segment.program.terms[self.output].degrees[0]).inner
+        return isolate(self.form.polynomial, self.curve.program.terms[self.output].degrees[0]).inner
+
+
+class _CurveZero(LazyRoot):
+    """A zero that is certain in doubles, on a segment over an interval; `number` is its number among the zeros of its
+    output on the segment.
+    """
+
+    near, _found = (), None
+
+    def __init__(self, curve: Certain, zero: SegmentZero, number: int, side: Interval) -> None:
+        self.curve, self.zero, self.number, self.side = curve, zero, number, side
+        self.interval, self.before, self.signs = zero[2:4], zero.before, (zero.before, -zero.before)
+
+    @cached_property
+    def form(self) -> _SegmentForm:  # type: ignore[override]  # computed when it is needed
+        """The output on its segment."""
+        return _SegmentForm(self.curve, self.zero.output, self.zero.segment)
+
+    def nearest(self, side: Interval | None, rounding: str) -> float:
+        """The double nearest to the parameter, from C, as for `InDoubles`."""
+        return self.curve.nearest(self.zero.place) if side is self.side and rounding == Rounding.NEAREST else nan
 
 
 @dataclass
@@ -184,16 +173,21 @@ class Certain:
     parameter. Zeros on segments that are not decided in doubles are exact features.
     """
 
-    degree: int
-    rational: bool
+    program: Program
     breaks: tuple[mpq, ...]
     rows: Sequence[CommonRows]
-    zeros: tuple[list[Found], list[Found]]
-    #: Whether κ is positive at the start of each segment.
-    positive: Sequence[bool]
+    #: The integers of the segments, of which some are moved, and what is certain of them in doubles.
+    nearer: Sequence[CommonRows]
+    found: Signs
+    #: The zeros of κ and of κ′ at knots, and those on the segments that are not decided in doubles; these segments, and
+    #: straight ones.
+    others: Apart
+    apart: Set[int]
     #: The straight pieces: all pieces of constant curvature.
     straight: tuple[CurvePiece, ...]
-    _segments: dict[int, _Segment] = field(default_factory=dict)
+    #: By the number of a segment, and of a block of zeros, what was computed when it was first needed.
+    _outputs: dict[int, Sequence[Any]] = field(default_factory=dict)
+    _nearest: dict[int, Sequence[float]] = field(default_factory=dict)
 
     @property
     def inflections(self) -> Places[Feature]:
@@ -208,49 +202,61 @@ class Certain:
     @property
     def only_extrema(self) -> bool:
         """Whether all critical points are extrema; those that are decided in doubles are."""
-        return not any(isinstance(zero, Feature) and zero.kind not in KINDS for zero in self.zeros[CRITICAL])
+        return not any(isinstance(zero, Feature) and zero.kind not in KINDS for zero in self.others[CRITICAL])
+
+    def form(self, output: int, segment: int) -> LocalPolynomial:
+        """An output of the program on a segment."""
+        if segment not in self._outputs:
+            operands, below = self.rows[segment]
+            forms = [[fmpz_poly(list(c))] for c in operands]
+            self._outputs[segment] = self.program.run(forms, [[fmpz(below)]], [(ONE, ONE)])[0]
+        return LocalPolynomial(self._outputs[segment][output])
+
+    def nearest(self, index: int) -> float:
+        """The double nearest to the parameter of a zero, given by its number among all that are certain in doubles; not
+        a number if C does not decide it.
+        """
+        block, k = divmod(index, BLOCK)
+        if block not in self._nearest:
+            zeros = self.found.some(block * BLOCK, BLOCK)
+            first, stop = int(zeros[1]), int(zeros[1 - OF_ZERO]) + 1
+            rows, breaks = self.nearer[first:stop], self.breaks[first : stop + 1]
+            self._nearest[block] = nearest(self.program, rows, zeros, breaks)
+        return self._nearest[block][k]
 
     def _places(self, output: int) -> Places[Feature]:
-        return Places.late(len(self.zeros[output]), partial(self._features, output), self.straight)
+        count = len(self._zeros(output)) if self.apart else self.found.count(output) + len(self.others[output])
+        return Places.late(count, partial(self._features, output), self.straight)
 
-    def _segment(self, i: int) -> _Segment:
-        """A segment, whose forms are computed once."""
-        if i not in self._segments:
-            program, ends = plane_program(self.degree, self.rational), Interval(*self.breaks[i : i + 2])
-            self._segments[i] = _Segment(program, self.rows[i], ends)
-        return self._segments[i]
+    def _zeros(self, output: int) -> list[Found]:
+        """The zeros of an output."""
+        zeros: list[Found] = [zero for zero in self.found.zeros(output) if zero.segment not in self.apart]
+        own = self.others[output]
+        return sorted([*zeros, *own], key=partial(_place, self.breaks)) if own else zeros
 
     @collector_quiet()
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
-        bends = _bends(zero for zero in self.zeros[CURVATURE] if isinstance(zero, SegmentZero))
-        breaks, found, number, last = self.breaks, [], 0, -1
-        for zero in self.zeros[output]:
+        breaks, found, number, last, side = self.breaks, [], 0, -1, None
+        for zero in self._zeros(output):
             if isinstance(zero, Feature):
                 found.append(zero)
                 continue
+            by_jump = isinstance(zero, Jump)
             if isinstance(zero, Jump):
                 root = Root(breaks[zero.knot], breaks[zero.knot], (0, 0), (zero.before, -zero.before))
             else:
-                number, last = number + 1 if zero.segment == last else 0, zero.segment
-                segment = self._segment(last)
-                late = LazyRoot(segment.forms[output], number, zero.before, zero[2:4])
-                root = Root(None, None, (1, 1), late.signs, late, segment.ends)
-            by_jump = isinstance(zero, Jump)
+                if zero.segment != last or side is None:
+                    number, last, side = 0, zero.segment, Interval(*breaks[zero.segment : zero.segment + 2])
+                root = root_inside(_CurveZero(self, zero, number, side), side)
+                number += 1
             if output == CURVATURE:
                 found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, by_jump))
                 continue
             kind, other = KINDS if zero.before > 0 else KINDS[::-1]
-            of_absolute = kind if self._positive_at(zero, bends) else other
-            found.append(Feature(kind, root, Variant.MINIMAL, by_jump, of_absolute))
+            positive = self.found.positive(CURVATURE, zero.knot) if isinstance(zero, Jump) else zero.of_first > 0
+            found.append(Feature(kind, root, Variant.MINIMAL, by_jump, kind if positive else other))
         return tuple(found)
-
-    def _positive_at(self, zero: SegmentZero | Jump, bends: Mapping[int, Sequence[SegmentZero]]) -> bool:
-        """Whether κ is positive at a zero of κ′; `bends` are the zeros of κ by segment."""
-        if isinstance(zero, Jump):
-            return self.positive[zero.knot]
-        before = sum(bend.high <= zero.low for bend in bends.get(zero.segment, ()))
-        return self.positive[zero.segment] == (before % 2 == 0)
 
 
 @collector_quiet()
@@ -260,7 +266,7 @@ def certain(facts: Facts) -> Certain | None:
 
     >>> from exactspline import analyse, example
     >>> known = certain(analyse(example("six_segment_cubic")))
-    >>> known is None or [len(zeros) for zeros in known.zeros] == [2, 8]
+    >>> known is None or [len(known.inflections), len(known.critical_points)] == [2, 8]
     True
     """
     curve, rational = facts.curve, not facts.curve.polynomial
@@ -272,44 +278,32 @@ def certain(facts: Facts) -> Certain | None:
     if rational and rows[0][0][-1][0] < 0:
         rows = [([[-x for x in c] for c in operands], below) for operands, below in rows]
     program = plane_program(curve.degree, rational)
-    found = signs(program, rows, rational=rational)
+    found, nearer = signs(program, rows), rows
     if found is None:
         return None
-    again = {i for i, uncertain in enumerate(found.open) if any(uncertain)} | _entangled(found.zeros)
-    if again:
+    unclear = UNCERTAIN | SLOW | ENTANGLED
+    if found.flags & unclear:
         # all segments once more: results for different segments are compared, so that they must have the same unit
-        nearer = [_moved(*row, rational=rational) if i in again else row for i, row in enumerate(rows)]
+        said = zip(rows, found.of_segments, strict=True)
+        nearer = [_moved(*row, rational=rational) if flags & unclear else row for row, flags in said]
         del found
-        found = signs(program, nearer, rational=rational)
+        found = signs(program, nearer)
         if found is None:
             return None
-    uncertain = {i: slow for i, (open_, slow) in enumerate(found.open) if open_ or slow}
+    apart = {i: flags for i, flags in enumerate(found.of_segments) if flags & unclear} if found.flags & unclear else {}
     straight = {
         i
-        for i, slow in uncertain.items()
-        if not slow and _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree)
+        for i, flags in apart.items()
+        if not flags & SLOW and _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree)
     }
-    left = (uncertain.keys() | _entangled(found.zeros)) - straight
-    zeros: tuple[list[Found], list[Found]] = ([], [])
-    if left:
-        exactly = _on_runs(curve, left)
-        if exactly is None:
-            return None
-        zeros[CURVATURE].extend(exactly[CURVATURE])
-        zeros[CRITICAL].extend(exactly[CRITICAL])
-    others = straight | left
-    for zero in found.zeros:
-        if zero.segment not in others:
-            zeros[zero.output].append(zero)
-    at_knots = list(_jumps(facts, found.ends, others))
-    if at_knots or left:
-        for jump in at_knots:
-            zeros[jump.output].append(jump)
-        for own in zeros:
-            own.sort(key=partial(_place, facts.breaks))
-    positive = [end[1 + 4 * CURVATURE] > 0 for end in found.ends]
+    others = _on_runs(curve, apart.keys() - straight)
+    if others is None:
+        return None
+    if found.flags & (BENDS | TURNS) or facts.closed:
+        for jump in _jumps(facts, found, apart.keys()):
+            others[jump.output].append(jump)
     pieces = facts.straight_runs(straight) if straight else ()
-    return Certain(curve.degree, rational, facts.breaks, rows, zeros, positive, pieces)
+    return Certain(program, facts.breaks, rows, nearer, found, others, apart.keys(), pieces)
 
 
 def _moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
@@ -331,7 +325,9 @@ def _polygon(facts: Facts) -> Certain | None:
     segments = range(facts.curve.segments)
     if not all(any(end_direction(facts.operands, i, Side.LEFT)) for i in segments):
         return None
-    return Certain(1, False, facts.breaks, [], ([], []), [], facts.straight_runs(set(segments)))
+    straight = facts.straight_runs(set(segments))
+    nothing = Signs(array("d", bytes(24)), 3, 3)
+    return Certain(plane_program(1, rational=False), facts.breaks, [], [], nothing, ([], []), set(), straight)
 
 
 def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
@@ -341,24 +337,3 @@ def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
     if isinstance(zero, Feature):
         return bisect_right(breaks, zero.root.low) - 1, 0 if zero.at_knot else 1
     return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
-
-
-def _bends(zeros: Iterable[SegmentZero]) -> dict[int, list[SegmentZero]]:
-    """The zeros of κ by segment."""
-    bends: dict[int, list[SegmentZero]] = {}
-    for zero in zeros:
-        if zero.output == CURVATURE:
-            bends.setdefault(zero.segment, []).append(zero)
-    return bends
-
-
-def _entangled(zeros: Sequence[SegmentZero]) -> set[int]:
-    """The segments on which a zero of κ and one of κ′ are too close to tell which is first."""
-    bends = _bends(zeros)
-    return {
-        zero.segment
-        for zero in zeros
-        if zero.output == CRITICAL
-        and zero.segment in bends
-        and any(bend.low < zero.high and zero.low < bend.high for bend in bends[zero.segment])
-    }

@@ -27,7 +27,7 @@ class Segments:
     """
 
     def __init__(self, curve: Nurbs) -> None:
-        self.rows = [segment_rows(curve, i) for i in range(curve.segments)]
+        self.rows, self.breaks = [segment_rows(curve, i) for i in range(curve.segments)], curve.breakpoints
         self._trees: dict[int, BoxTree] = {}
 
     @cached_property
@@ -43,7 +43,7 @@ class Segments:
     @cached_property
     def precise(self) -> bytes:
         """The numbers of the segments for the C extension to twice the precision."""
-        return precise_table_of(self.rows)
+        return precise_table_of(self.rows, self.breaks)
 
     @cached_property
     def size(self) -> int:

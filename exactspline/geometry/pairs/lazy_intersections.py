@@ -16,7 +16,7 @@ from exactspline.polynomials.plane_pairs import Elimination, elimination, self_e
 from exactspline.polynomials.zero_places import Place
 from exactspline.programs.certain_pairs import PairPoint
 from exactspline.reals.real import Real
-from exactspline.roots.root import InDoubles, LazyRoot, Root
+from exactspline.roots.root import InDoubles, LazyRoot, root_inside
 from exactspline.roots.segment_forms import ImageValue, SegmentRows
 
 
@@ -72,10 +72,10 @@ class PairForm:
         """The parameters of a common point of the segments over two intervals; `near` are its numbers for
         `InDoubles`.
         """
-        one, other, sides = (found[:2], near[:3]), (found[2:4], near[3:]), (first, second)
+        one, other, sides = (found[:2], near[:4]), (found[2:4], near[4:]), (first, second)
         if not self.exchanged:
             one, other, sides = other, one, (second, first)
-        zero = LazyRoot(self, int(found[5]), int(found[4]), *one)
-        root = Root(None, None, (1, 1), zero.signs, zero, sides[0])
-        image = ImageValue(Image(Place(zero), self, InDoubles(*other)), sides[1], sides[0])
+        zero = LazyRoot(self, int(found[5]), int(found[4]), *one, sides[0])
+        root = root_inside(zero, sides[0])
+        image = ImageValue(Image(Place(zero), self, InDoubles(*other, sides[1])), sides[1], sides[0])
         return (root, image) if self.exchanged else (image, root)
