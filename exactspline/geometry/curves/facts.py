@@ -342,9 +342,10 @@ class Facts(Remembers):
         left, right = self.ends.jet(before, Side.LEFT), self.ends.jet(behind, Side.RIGHT)
         if left[0] != right[0]:
             return Joint(t, JointKind.GAP, -1, seam, gap=distance(left[0], right[0]))
-        if self.standing[before] and self.standing[behind]:
-            return Joint(t, JointKind.STILL, None, seam)
         if not any(left[1]) or not any(right[1]):
+            # only here the forms of all segments are needed
+            if self.standing[before] and self.standing[behind]:
+                return Joint(t, JointKind.STILL, None, seam)
             angle = turned(*self.directions(self.velocity, t))
             return Joint(t, JointKind.SINGULAR, order_of(left, right, angle), seam, angle)
         order = geometric_order(left, right)
