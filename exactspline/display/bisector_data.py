@@ -390,15 +390,7 @@ def of_two_curves(found: CurveBisector, digits: int) -> tuple[list[Row], list[st
     rows = [_surface_row(patch) for patch in found.patches]
     rows += _grouped(_line_row(line, digits) for line in found.lines)
     rows += _grouped(_plane_row(plane, digits) for plane in found.planes)
-    rows += [
-        Row(
-            str(pair.solutions),
-            f"s = {real_text(pair.s, digits)}, t = {real_text(pair.t, digits)}",
-            "–",
-            str(pair.cause),
-        )
-        for pair in found.pairs
-    ]
+    rows += [Row(str(pair.solutions), _pair((pair.s, pair.t), digits), "–", str(pair.cause)) for pair in found.pairs]
     rows += _grouped(_pole_row(pole) for pole in found.poles)
     notes = [f"no surface: {sides.shortly}: {reason}" for sides, reason in found.missing]
     return rows, notes + ([f"undecided: {what}" for what in found.undecided] or [_closing(found)])

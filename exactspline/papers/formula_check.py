@@ -215,9 +215,8 @@ def _function(node: ast.FunctionDef, read: Checked) -> None:
     read.vectors = _vectors(node, read)
     read.parameters = {p for kind in _kinds(node, read) for n in kind.dimensions for p in kind.parameters(n)}
     locals_ = {arg.arg for arg in a.args}
-    if both := sorted(
-        locals_ & read.functions.keys()
-    ):  # the cost is that of the smaller set: a file may have thousands of formulas
+    # the cost is that of the smaller set: a file may have thousands of formulas
+    if both := sorted(locals_ & read.functions.keys()):
         raise read.refuse(node, f"the name {both[0]!r} is taken", "choose another one")
     body = _Body(read, dict.fromkeys(locals_, (1, 1)))
     size = body.size(node)

@@ -305,9 +305,8 @@ class _Search:
     def __init__(self, polynomial: fmpz_poly, cap: int | None) -> None:
         self.factor, self.cap = LocalPolynomial(polynomial), cap
         self.leaves: list[_Leaf] = []
-        self._found: list[
-            tuple[int, int, int, tuple[int, int]]
-        ] = []  # level, k, multiplicity at a point or 0 inside an interval, signs on both sides
+        #: Level, k, multiplicity at a point or 0 inside an interval, signs on both sides.
+        self._found: list[tuple[int, int, int, tuple[int, int]]] = []
         self.finished = self._run(polynomial)
 
     def _run(self, polynomial: fmpz_poly) -> bool:

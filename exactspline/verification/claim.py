@@ -335,10 +335,8 @@ class Claim(Immutable, Displayed):
             raise ClaimError(
                 "a printed claim has neither words nor a place", where="words", remedy="quote what is printed"
             )
-        refuted, own = (
-            self.expected == REFUTED,
-            not self.source_paper.package,
-        )  # in one's own each is an error of its own
+        # in one's own paper each is an error of its own
+        refuted, own = self.expected == REFUTED, not self.source_paper.package
         if self.status == Status.PRINTED and (bool(self.error) > refuted or refuted > bool(self.error or own)):
             problem = "a printed claim belongs to an error exactly if it is refuted"
             raise ClaimError(problem, where="error", remedy="name the error, or omit the field")

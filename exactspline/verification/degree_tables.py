@@ -461,18 +461,11 @@ def variants_table(source: Paper) -> list[_VariantsRow]:
     for name, formula in known.items():
         lifted = known.get(f"{name}_projective") or known.get(f"{name}_lifted")
         if formula.kind is SURFACE and f"{name}_reduced" in known and lifted is not None:
-            reduced = known[f"{name}_reduced"]
-            rows.append(
-                _VariantsRow(
-                    name,
-                    _counted(formula, polynomial=False),
-                    _counted(reduced, polynomial=False),
-                    _counted(lifted, polynomial=False),
-                    _proved(lifted, polynomial=False),
-                    _counted(formula, polynomial=True),
-                    _proved(lifted, polynomial=True),
-                )
-            )
+            variants = formula, known[f"{name}_reduced"], lifted
+            defined, reduced, short = (_counted(each, polynomial=False) for each in variants)
+            true = _proved(lifted, polynomial=False)
+            polynomial = _counted(formula, polynomial=True), _proved(lifted, polynomial=True)
+            rows.append(_VariantsRow(name, defined, reduced, short, true, *polynomial))
     return rows
 
 

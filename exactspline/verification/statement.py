@@ -201,14 +201,8 @@ def _side(name: str, role: str, claim: Claim) -> Side:
     tree = _tree(name, claim)
     shown = symbol_text(claim.shown(name)) or name
     degrees = [_degrees(name, claim, polynomial) for polynomial in (False, True)]
-    return Side(
-        role,
-        name,
-        formula.source,
-        f"{shown} = {print_text(tree)}",
-        f"{claim.symbol(name)} = {print_latex(tree)}",
-        *degrees,
-    )
+    written = f"{shown} = {print_text(tree)}", f"{claim.symbol(name)} = {print_latex(tree)}"
+    return Side(role, name, formula.source, *written, *degrees)
 
 
 def dimension_of(formula: Formula, claim: Claim) -> int:

@@ -515,9 +515,8 @@ def _corners(curve: Nurbs, missing: list[str]) -> list[tuple[PieceKind, mpq]]:
     parameters are added to `missing`.
     """
     a, b = curve.domain
-    has_ends = (
-        not curve.closed or find("D1")(curve).is_zero
-    )  # a curve that is a single point is closed and consists of ends only
+    # a curve that is a single point is closed and consists of ends only
+    has_ends = not curve.closed or find("D1")(curve).is_zero
     ends = [(PieceKind.END_POINT, a), (PieceKind.END_POINT, b)] if has_ends else []
     ends += [(PieceKind.CORNER, joint.parameter) for joint in facts_of(curve).joints if joint.kind is JointKind.CORNER]
     for feature in facts_of(curve).singular_points:

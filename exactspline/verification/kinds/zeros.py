@@ -130,9 +130,8 @@ def _excluded_by(guilty: Iterable[Named], ring: JetRing, find: Callable[[str], F
         elif constants and not ring.symbols[constants[0]].parameters:
             assume.append(Name(f"{constants[0]} ≠ 0"))
         else:
-            with suppress(
-                ExactSplineError
-            ):  # an assumption of another paper, whose formulas claims of this paper cannot name
+            # claims of this paper cannot name the formulas of another one, of which an assumption may be
+            with suppress(ExactSplineError):
                 assume += [Name(f"{f.name} ≠ 0") for f in naming_formulas(alone) if find(f.name) is f][:1]
     return say.may_vanish(tuple(dict.fromkeys(names)), tuple(dict.fromkeys(assume)))
 
