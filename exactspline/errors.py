@@ -10,7 +10,6 @@ import os
 from collections import Counter
 from collections.abc import Iterable
 from contextlib import suppress
-from difflib import SequenceMatcher
 from enum import StrEnum
 from functools import lru_cache
 from operator import index
@@ -115,6 +114,8 @@ def _likest(name: str, known: list[str]) -> list[str]:
     The similarity of two names is bounded by the letters that they share, which is cheap to count: only names whose
     bound is not below the best found are compared.
     """
+    from difflib import SequenceMatcher
+
     own, found = _letters(name), list[tuple[float, int]]()
     for bound, i in sorted((_bound(name, own, each.lower()), i) for i, each in enumerate(known)):
         if len(found) >= 3 and bound > sorted(found)[2][0]:

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import resources
+from pathlib import Path
 from typing import cast
 
 from rich.console import Console
@@ -38,7 +38,7 @@ def glossary() -> dict[str, dict[str, str]]:
 @cache
 def _written() -> dict[str, dict[str, str]]:
     """The words of tables and their meanings, by topic."""
-    written = read_toml(resources.files(__package__).joinpath("glossary.toml"), "glossary.toml")
+    written = read_toml(Path(__file__).with_name("glossary.toml"), "glossary.toml")
     return cast(dict[str, dict[str, str]], written)
 
 

@@ -5,7 +5,6 @@ otherwise one block per row. In a pipe there is one line per row. Tables are als
 from __future__ import annotations
 
 import ast
-import csv
 import re
 import tokenize
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
 
-from exactspline.display.latex_prose import prose
 from exactspline.errors import written
 
 if TYPE_CHECKING:
@@ -361,6 +359,8 @@ class Sheet:
         $f_{2}$ & $9d - 6$ \\
         \end{tabular}
         """
+        from exactspline.display.latex_prose import prose
+
         head, *rows = [" & ".join(map(prose, row)) + r" \\" for row in (self.columns, *self.rows)]
         aligned = "".join("r" if name in self.numbers else "l" for name in self.columns)
         begun = [f"% {self.title}"] * bool(self.title) + [rf"\begin{{tabular}}{{{aligned}}}", head, r"\hline"]
@@ -404,6 +404,8 @@ def csv_of(sheets: Sequence[Sheet], by: str = "", unchecked: Sequence[str] = ())
     ['curve,form,degree', 'circle,f2,3']
     """
     out = StringIO()
+    import csv
+
     writer = csv.writer(out, lineterminator="\n")
     if sheets:
         writer.writerow([*([by] if by else []), *sheets[0].columns, *(["unchecked"] if unchecked else [])])

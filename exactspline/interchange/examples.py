@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib import resources
+from pathlib import Path
 from typing import Literal, overload
 
 from exactspline.errors import CurveFileError, FormulaError, as_text, nearest
@@ -108,7 +108,7 @@ def example_surface(name: str) -> NurbsSurface:
 
 
 def _names(folder: str) -> tuple[str, ...]:
-    files = resources.files(__package__).joinpath(folder).iterdir()
+    files = Path(__file__).with_name(folder).iterdir()
     return tuple(sorted(entry.name.removesuffix(".json") for entry in files if entry.name.endswith(".json")))
 
 
@@ -117,4 +117,4 @@ def _read(folder: str, name: str) -> Reading:
 
 
 def _text(folder: str, name: str) -> str:
-    return resources.files(__package__).joinpath(folder, f"{name}.json").read_text(encoding="utf-8")
+    return (Path(__file__).with_name(folder) / f"{name}.json").read_text(encoding="utf-8")

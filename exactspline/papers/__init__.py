@@ -11,16 +11,18 @@ import copyreg
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import resources
-from importlib.resources.abc import Traversable
 from pathlib import Path
 from shlex import quote
+from typing import TYPE_CHECKING
 
 from exactspline.errors import FormulaError, as_text, counted, nearest
 from exactspline.language.formula import Formula, expect_formula
 from exactspline.language.kinds import CURVE
 from exactspline.papers.folder import Paper, Table, description_of, folder_at, paper_in
 from exactspline.papers.loading import checked_formulas, guarded, run_file
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
 
 __all__ = [
     "Paper",
@@ -52,7 +54,7 @@ def papers() -> tuple[Paper, ...]:
     >>> [p.name for p in papers() if p.default]
     ['chen_riesenfeld_cohen_2007', 'lifted']
     """
-    folders = {f.name: f for f in resources.files(__package__).iterdir() if f.joinpath("paper.toml").is_file()}
+    folders = {f.name: f for f in Path(__file__).parent.iterdir() if f.joinpath("paper.toml").is_file()}
     made: dict[str, Paper] = {}
 
     def make(name: str) -> Paper:

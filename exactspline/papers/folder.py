@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from hashlib import sha256
-from importlib import import_module, resources
-from importlib.resources.abc import Traversable
+from importlib import import_module
 from pathlib import Path
-from typing import Any, TypedDict, cast
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 from exactspline.errors import ClaimError, ExactSplineError, FormulaError, as_path, command_name, nearest
 from exactspline.language.formula import Formula
@@ -22,6 +21,9 @@ try:  # compiled, and with limits on the nesting depth of untrusted input
     import tomli as toml
 except ModuleNotFoundError:  # in a browser
     import tomllib as toml  # type: ignore[no-redef]  # has the same functions
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
 
 
 class Description(TypedDict):
@@ -126,7 +128,7 @@ class Paper:
 
     def formula_files(self) -> list[tuple[str, Traversable]]:
         """The existing files of its formulas, with their names."""
-        home = resources.files(self.package) if self.package else self.folder
+        home = Path(cast(str, import_module(self.package).__file__)).parent if self.package else self.folder
         files = [(f"{module}.py", home.joinpath(*f"{module}.py".split("/"))) for module in self.modules]
         return [(name, file) for name, file in files if file.is_file()]
 

@@ -6,19 +6,21 @@ import sys
 from collections.abc import Callable, Mapping
 from functools import wraps
 from importlib import import_module
-from importlib.resources.abc import Traversable
 from importlib.util import module_from_spec, spec_from_file_location
 from os.path import abspath
 from pathlib import Path
 from traceback import walk_tb
 from types import ModuleType, TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.errors import ExactSplineError, FormulaError
 from exactspline.language.formula import Formula
 from exactspline.language.operand import CONSTANTS, Operand
 from exactspline.language.ruled import RuledSurface
 from exactspline.language.vector import Vector
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
 
 #: A function that returns the formulas that others may import, by ``papers.paper.module:name``.
 Importable = Callable[[], Mapping[str, Formula]]

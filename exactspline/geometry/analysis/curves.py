@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, overload
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.analysis.curve_values import CurveValues
-from exactspline.geometry.bisectors.any_pair import bisector
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.curves import features
 from exactspline.geometry.curves.bounds import slope_zeros, value_zeros
@@ -21,10 +20,8 @@ from exactspline.geometry.curves.kinds import Feature, FeatureKind
 from exactspline.geometry.curves.planarity import Plane, in_common_plane, in_the_plane, planar_pieces, plane_of
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.geometry.filter.certain import Certain, certain
-from exactspline.geometry.pairs import offsets
 from exactspline.geometry.pairs.intersections import Intersections, self_intersections
 from exactspline.geometry.pairs.nearest import Nearest, nearest
-from exactspline.geometry.pairs.offsets import offset_parts
 from exactspline.geometry.pairs.winding import winding_number
 from exactspline.geometry.recognition.pieces import RecognizedPiece, recognized, small_distance
 from exactspline.geometry.recognition.shapes import ShapeKind
@@ -256,6 +253,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
         Raises `ShapeError` for a point on the curve and for a point of another dimension.
         """
+        from exactspline.geometry.bisectors.any_pair import bisector  # loads as much as the rest
+
         return bisector(self.with_coordinate(len(point) - 1), point)
 
     @question_with(POINT, Of.PLANE_CURVE, Of.PLANAR_CURVE, answered=Answered.VALUE)
@@ -445,7 +444,9 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
 
         Raises `ShapeError` for a space curve.
         """
-        return offsets.self_intersections(self.curve, offset=distance)
+        from exactspline.geometry.pairs.offsets import self_intersections
+
+        return self_intersections(self.curve, offset=distance)
 
     @question_with(DISTANCE, Of.PLANE_CURVE, answered=Answered.NUMBERS)
     def offset_parts(self, distance: Number) -> tuple[NamedNumbers, ...]:
@@ -464,6 +465,8 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         Raises `ShapeError` for a curve that is not closed or meets itself, and `ReachError` where parts of the offset
         may coincide or be single points.
         """
+        from exactspline.geometry.pairs.offsets import offset_parts
+
         return offset_parts(self.curve, rational(distance))
 
     @question_with(DISTANCE, Of.PLANE_CURVE, proof=lambda facts, distance: (facts.offset_form(distance).zeros,))
