@@ -2,7 +2,7 @@
 installation (hatchling); ``python hatch_build.py`` does it in a checkout. Without a compiler it is absent.
 
 Beside it goes the digest of its source and of its bytes, by which it is known again before it is loaded
-(`exactspline.programs.accelerator`).
+(`exactspline.numbers.extension`).
 """
 
 import os

@@ -201,7 +201,9 @@ def _from_floats(values: Any, depth: int, snap: bool) -> list[Any]:
         raise NumberError(
             f"lists nested more than {DEEPEST} levels deep", remedy="give a list of floats, or of rows of floats"
         )
-    given: Iterable[float | Iterable[float]] = as_items(values, "floats")
+    given: Sequence[float | Iterable[float]] = [*as_items(values, "floats")]
+    if not snap and all(type(x) is float and isfinite(x) for x in given):
+        return [mpq(*cast(Any, x).as_integer_ratio()) for x in given]
     values_found: list[Any] = []
     for i, value in enumerate(given):
         try:
@@ -325,7 +327,7 @@ def _finite(value: float) -> float:
     return value
 
 
-def to_fmpq(value: mpq) -> flint.fmpq:
+def to_fmpq(value: mpq | int) -> flint.fmpq:
     """An ``mpq`` (or int, ``mpz``) as FLINT's ``fmpq``.
 
     >>> to_fmpq(mpq(-3, 4))
@@ -427,7 +429,7 @@ def common_divisor(numbers: Iterable[flint.fmpz]) -> flint.fmpz:
     return common
 
 
-def over_one_denominator(values: Iterable[mpq]) -> tuple[list[int], int]:
+def over_one_denominator(values: Iterable[mpq | int]) -> tuple[list[int], int]:
     """The numerators of rational numbers over their least common denominator, and this denominator.
 
     >>> over_one_denominator([mpq(1, 2), mpq(-2, 3)])

@@ -1,8 +1,7 @@
-"""The optional C extension (filter.c): it runs a program on every segment of a curve in doubles with error masses, and
-finds the certain zeros of the outputs (for two curves: `exactspline.programs.certain_pairs`). Without the extension, or
-if its result is not certain, exact arithmetic decides, with the same answers. A library that is not byte for byte the
-one compiled from the source beside this file, or that computes an instruction differently, is not used. Derivation:
-docs/certified-filter.md.
+"""The certified filter for one curve, in the optional C extension (filter.c): it runs a program on every segment of a
+curve in doubles with error masses, and finds the certain zeros of the outputs (for two curves:
+`exactspline.programs.certain_pairs`). Without the extension, or if its result is not certain, exact arithmetic decides,
+with the same answers. Derivation: docs/certified-filter.md.
 
 >>> filter_curve is None or callable(filter_curve)
 True
@@ -12,25 +11,19 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from ctypes import CDLL, POINTER, Structure, byref, c_double, c_int, c_void_p
+from ctypes import POINTER, Structure, byref, c_double, c_int, c_void_p
 from functools import cache, lru_cache
-from hashlib import sha256
 from itertools import chain
 from math import nan
-from os import environ
-from pathlib import Path
 from typing import NamedTuple
 
 from exactspline.errors import FormulaError
 from exactspline.numbers.exact import mpq
+from exactspline.numbers.extension import loaded
 from exactspline.programs.error_bounds import factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.program import Program
 
-#: The compiled extension, which is not a Python module: a file beside this one, absent if there was no compiler, or the
-#: file that this environment variable names ("none": run without the extension).
-LIBRARY = environ.get("EXACTSPLINE_EXTENSION") or str(Path(__file__).with_name("filter.lib"))
-SOURCE = Path(__file__).with_name("filter.c")
 #: The roundings of an operand: numerator, denominator (twice, for it is divided by), quotient.
 ROUNDINGS = 4
 #: The numbers of the instructions in C.
@@ -78,31 +71,6 @@ class _Program(Structure):
         ("output", POINTER(c_int)),
         ("factors", POINTER(c_double)),
     ]
-
-
-@cache
-def _library() -> CDLL | None:
-    """The extension, if it is the one that was compiled from the source beside this file. A damaged library, or one
-    compiled from other source, is not loaded: it could end this process, or give wrong answers.
-    """
-    try:
-        contents = SOURCE.read_bytes() + Path(LIBRARY).read_bytes()
-        known = Path(f"{LIBRARY}.sha256").read_bytes().decode("ascii").strip()
-        return CDLL(LIBRARY) if known == sha256(contents).hexdigest() else None
-    except (OSError, UnicodeDecodeError):
-        return None
-
-
-def loaded(name: str, right: Callable[[Callable[..., int]], bool], *arguments: type) -> Callable[..., int] | None:
-    """A function of the extension, if its answer in a known case is `right`; None without the extension. Without types
-    of its arguments it takes bytes and arrays of ctypes as they are, which is faster.
-    """
-    library = _library()
-    if library is None:
-        return None
-    function = getattr(library, name)
-    function.argtypes, function.restype = list(arguments) or None, c_int
-    return function if right(function) else None
 
 
 def surrounds(low: float, high: float, x: float) -> bool:

@@ -11,7 +11,8 @@ from fractions import Fraction
 from sys import float_info
 
 from exactspline.numbers.exact import mpq
-from exactspline.programs.accelerator import loaded, surrounds
+from exactspline.numbers.extension import loaded
+from exactspline.programs.accelerator import surrounds
 
 #: A degree, and the integers of the forms x, y, w.
 Segment = tuple[int, Sequence[Sequence[int]]]

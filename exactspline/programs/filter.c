@@ -1,10 +1,12 @@
 /* The certified filter in doubles with error masses. For one curve: a straight-line program on every segment, then the
    zeros of its outputs; the program is data (see accelerator.py). For two curves: the simple zeros of the determinant of
    Bézout's matrix (see exactspline/polynomials/bezout.py) and the parameters that belong to them. What is not certain is
-   said to be open and decided in exact arithmetic. Derivation: docs/certified-filter.md. */
+   said to be open and decided in exact arithmetic. Derivation: docs/certified-filter.md. At the end: points of a curve, in
+   exact integers. */
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -1197,4 +1199,147 @@ int filter_closer(const double *first, int i, const double *second, int j, doubl
         memcpy(box + 4 * k, known, sizeof known);
     }
     return inside;
+}
+
+/* ---- points of a curve, in exact integers */
+
+/* The numbers before all others: the degree; how many components, limbs of a number, control points and segments there
+   are; whether limits are from the left; and how many places there are. */
+enum { DEGREE, COMPONENTS, LIMBS, POINTS, SEGMENTS, LEFT, PLACES, SIZES };
+
+#ifdef __SIZEOF_INT128__
+__extension__ typedef unsigned __int128 Wide;
+
+/* Add a multiple of a number, modulo 2 to the power 64 · limbs, which is right in two's complement, too. */
+static void add_multiple(uint64_t *to, const uint64_t *number, uint64_t by, int64_t limbs) {
+    Wide carry = 0;
+    for (int64_t k = 0; k < limbs; k++) {
+        carry += (Wide)number[k] * by + to[k];
+        to[k] = (uint64_t)carry;
+        carry >>= 64;
+    }
+}
+
+/* Replace a number by its multiple. */
+static void multiply(uint64_t *number, uint64_t by, int64_t limbs) {
+    Wide carry = 0;
+    for (int64_t k = 0; k < limbs; k++) {
+        carry += (Wide)number[k] * by;
+        number[k] = (uint64_t)carry;
+        carry >>= 64;
+    }
+}
+
+/* The segment of a place: at a breakpoint the one on its right, or on its left. */
+static int64_t segment_of(const int64_t *breaks, int64_t segments, int64_t place, int64_t left) {
+    int64_t low = 0, high = segments;
+    while (high - low > 1) {
+        int64_t middle = (low + high) / 2;
+        if (breaks[middle] < place || (breaks[middle] == place && !left))
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The first 64 bits of the size of a number: it is from head · 2^e to (head + 1) · 2^e, ends included. Returns 0 for the
+   number 0. */
+static int beginning(const uint64_t *number, int64_t limbs, uint64_t *head, int64_t *e, int *negative) {
+    int64_t k = limbs - 1;
+    *negative = number[k] >> 63 != 0;
+    /* the complement of a negative number is its size minus 1, which matters if it has fewer bits than the head */
+    uint64_t flipped = *negative ? UINT64_MAX : 0;
+    while (k > 0 && number[k] == flipped)
+        k--;
+    int shift = 0;
+    *head = number[k] ^ flipped;
+    *head += *negative && k == 0 && *head != UINT64_MAX;
+    if (!*head)
+        return 0;
+    while (!(*head >> 63)) {
+        *head <<= 1;
+        shift++;
+    }
+    if (shift && k)
+        *head |= (number[k - 1] ^ flipped) >> (64 - shift);
+    *e = 64 * k - shift;
+    return 1;
+}
+
+/* The double nearest to a quotient; NaN if it is not certain. It is the same in every rounding mode. */
+static double nearest_quotient(const uint64_t *top, const uint64_t *bottom, int64_t limbs) {
+    uint64_t a, b;
+    int64_t e, f;
+    int minus, below;
+    if (!beginning(top, limbs, &a, &e, &minus))
+        return 0;
+    if (!beginning(bottom, limbs, &b, &f, &below))
+        return NAN;
+    /* the quotient divided by 2^(e - f - 63) is more than q - 2, at most q + 2, and q has 63 or 64 bits */
+    uint64_t q = (uint64_t)(((Wide)a << 63) / b);
+    int dropped = q >> 63 ? 11 : 10;
+    uint64_t half = (uint64_t)1 << (dropped - 1), rest = q & (2 * half - 1), kept = q >> dropped;
+    e += dropped - 63 - f;
+    if ((rest + 2 >= half && rest <= half + 2) || e < -1000 || e > 900)
+        return NAN;
+    double size = ldexp((double)(int64_t)(kept + (rest > half)), (int)e);
+    return minus == below ? size : -size;
+}
+#endif
+
+/* The numerators of each coordinate of the points of a curve at places, and then their denominators; and the doubles
+   nearest to the quotients.
+
+   sizes: the `SIZES` numbers above, the first control point of each segment, the breakpoints, and the places, which are in
+   the domain.
+   weights: for each segment, coefficient (in the scaled Bernstein basis) and control point of the segment an integer ≥ 0.
+   points: the numerators of each coordinate of the control points, and their denominators, in two's complement.
+   found: room for the integers, and for the coefficients of one segment and one more number.
+   near: room for the doubles, NaN where they are not certain; NULL if they are not needed.
+
+   Returns 1, or 0 where the compiler has no integers of 128 bits. The caller knows that the results have enough limbs. */
+int curve_points(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, uint64_t *found, double *near) {
+#ifdef __SIZEOF_INT128__
+    const int64_t n = sizes[DEGREE], components = sizes[COMPONENTS], limbs = sizes[LIMBS], count = sizes[PLACES];
+    const int64_t *firsts = sizes + SIZES, *breaks = firsts + sizes[SEGMENTS], *places = breaks + sizes[SEGMENTS] + 1;
+    const size_t size = (size_t)limbs * sizeof(uint64_t);
+    uint64_t *rows = found + components * count * limbs, *term = rows + components * (n + 1) * limbs;
+    int64_t here = -1;
+    for (int64_t k = 0; k < count; k++) {
+        int64_t segment = segment_of(breaks, sizes[SEGMENTS], places[k], sizes[LEFT]);
+        if (segment != here) {
+            here = segment;
+            memset(rows, 0, (size_t)(components * (n + 1)) * size);
+            for (int64_t c = 0; c < components; c++)
+                for (int64_t i = 0; i <= n; i++)
+                    for (int64_t j = 0; j <= n; j++) {
+                        uint64_t weight = weights[(segment * (n + 1) + i) * (n + 1) + j];
+                        if (weight)
+                            add_multiple(rows + (c * (n + 1) + i) * limbs,
+                                         points + (c * sizes[POINTS] + firsts[segment] + j) * limbs, weight, limbs);
+                    }
+        }
+        uint64_t u = (uint64_t)(breaks[segment + 1] - places[k]), v = (uint64_t)(places[k] - breaks[segment]);
+        for (int64_t c = 0; c < components; c++) {
+            uint64_t *value = found + (c * count + k) * limbs;
+            memcpy(value, rows + (c * (n + 1) + n) * limbs, size);
+            /* Horner's rule: the coefficient of uⁿ⁻ⁱ vⁱ is multiplied by uⁿ⁻ⁱ and added */
+            for (int64_t i = n - 1; i >= 0; i--) {
+                multiply(value, v, limbs);
+                memcpy(term, rows + (c * (n + 1) + i) * limbs, size);
+                for (int64_t power = i; power < n - 1; power++)
+                    multiply(term, u, limbs);
+                add_multiple(value, term, u, limbs);
+            }
+        }
+    }
+    const uint64_t *below = found + (components - 1) * count * limbs;
+    for (int64_t k = 0; near && k < (components - 1) * count; k++)
+        near[k] = nearest_quotient(found + k * limbs, below + k % count * limbs, limbs);
+    return 1;
+#else
+    (void)sizes, (void)weights, (void)points, (void)found, (void)near;
+    return 0;
+#endif
 }

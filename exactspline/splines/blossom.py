@@ -4,13 +4,14 @@ together.
 
 from __future__ import annotations
 
+from array import array
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from math import comb, gcd
 from operator import mul
-from typing import TypeVar, cast
+from typing import TypeVar
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
 
@@ -24,7 +25,7 @@ Q = TypeVar("Q", fmpq, fmpq_poly)
 Z = TypeVar("Z", fmpz, fmpz_poly)
 
 
-def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq], spans: Sequence[int]) -> Iterator[Form]:
+def forms_of(t: Sequence[mpq], n: int, d: Sequence[mpq | int], spans: Sequence[int]) -> Iterator[Form]:
     """The forms over the spans [t_j, t_{j+1}] of the spline of degree n with knots t and control points d.
 
     Knots are inserted until each has multiplicity n, from left to right: the points that remain beyond the right end of
@@ -114,24 +115,19 @@ def to_control_points(
 
 def _cheapest(breaks: Sequence[mpq], low: mpq, high: mpq, inner: Sequence[mpq]) -> int:
     first = min(max(bisect_right(breaks, low) - 1, 0), len(breaks) - 2)
-    best, best_count = first, -1
-    for segment in range(first, len(breaks) - 1):
-        if breaks[segment] >= high:
-            break
-        count = inner.count(breaks[segment]) + inner.count(breaks[segment + 1])
-        if count > best_count:
-            best, best_count = segment, count
-    return best
+    below = range(first, bisect_left(breaks, high, first, len(breaks) - 1))
+    return max(below, key=lambda i: inner.count(breaks[i]) + inner.count(breaks[i + 1]), default=first)
 
 
 #: The knots that affect a span as coprime integers, moved such that its left end is 0. (Integers are hashed faster than
 #: fractions.)
 Pattern = tuple[int, ...]
 #: The weights of a pattern: for each coefficient the first control point of the span that contributes to it, and the
-#: integers by which this and the following points are multiplied; the same for Bézier points; and a denominator.
-Weights = tuple[list[tuple[int, tuple[int, ...]]], tuple[int, ...] | None, int]
-#: The weights are computed for a pattern that occurred more often than a quarter of its degree, and for at most this
-#: many patterns.
+#: integers by which this and the following points are multiplied; the same for Bézier points; a denominator; and all
+#: integers for C, none if one is too large.
+Weights = tuple[list[tuple[int, tuple[int, ...]]], tuple[int, ...] | None, int, bytes]
+#: The weights are computed for a pattern that occurred more often than a quarter of its degree, and for about this many
+#: patterns.
 PATTERNS = 4096
 #: Above this degree no weights are computed.
 MOST = 12
@@ -150,28 +146,26 @@ CommonRows = tuple[Sequence[Sequence[int]], int]
 
 
 def common_rows(
-    t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq]], spans: Sequence[int]
-) -> list[CommonRows] | None:
+    t: Sequence[mpq], n: int, columns: Sequence[Sequence[mpq | int]], spans: Sequence[int]
+) -> list[CommonRows]:
     """The integers of the forms over the spans [t_j, t_{j+1}] of the splines of degree n with knots t and columns of
-    control points, one after the other, over their least common denominator. None if the knots around the spans differ
-    so much that weights for each span are not worthwhile.
+    control points, one after the other, over their least common denominator.
 
     >>> from exactspline.numbers.exact import mpq
-    >>> for _ in range(4):
-    ...     found = common_rows([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
-    >>> found
+    >>> common_rows([mpq(k) for k in range(4)], 1, [[mpq(1, 2), mpq(1)], [mpq(0), mpq(2)]], [1])
     [(((1, 2), (0, 4)), 2)]
     """
     weights = _weights_along(t, n, spans) if 0 < n <= MOST else None
     if weights is None:
-        return None
+        each = [over_common_denominator(own) for own in zip(*[forms_of(t, n, x, spans) for x in columns], strict=True)]
+        return [(tuple([tuple([int(c[k]) for k in range(n + 1)]) for c in own]), int(below)) for own, below in each]
     found: list[CommonRows] = []
     for start in range(0, len(spans), TOGETHER):
         some = spans[start : start + TOGETHER]
         first, stop = some[0] - n, some[-1] + 1
         numbers, least = over_one_denominator([x for column in columns for x in column[first:stop]])
         offsets = range(0, len(numbers), stop - first)
-        for j, (rows, diagonal, bottom) in zip(some, weights[start : start + TOGETHER], strict=True):
+        for j, (rows, diagonal, bottom, _) in zip(some, weights[start : start + TOGETHER], strict=True):
             at = j - n - first
             own = [numbers[at + k : at + k + n + 1] for k in offsets]
             if diagonal:
@@ -188,17 +182,24 @@ def common_rows(
     return found
 
 
+def packed_weights(t: Sequence[mpq], n: int, spans: Sequence[int]) -> tuple[bytes, int]:
+    """The weights of the spans [t_j, t_{j+1}] for C, and the bits of their largest denominator; no weights if they are
+    too large for C, or not worthwhile (see `common_rows`).
+    """
+    weights = (_weights_along(t, n, spans) if 0 < n <= MOST else None) or []
+    bits = max([own[2] for own in weights], default=1).bit_length()
+    return b"".join([own[-1] for own in weights]) if all(own[-1] for own in weights) else b"", bits
+
+
 def _weights_along(t: Sequence[mpq], n: int, spans: Sequence[int]) -> list[Weights] | None:
     if len(spans) > TOGETHER:
         return _weights_of([*_patterns(t, n, spans)])
     key = n, tuple(t)
-    found = _along.get(key)
-    if found is None:
-        found = _weights_of([*_patterns(t, n, spans)])
-        if found is not None:
-            if len(_along) >= ALONG:
-                _along.clear()
-            _along[key] = found
+    found = _along.get(key) or _weights_of([*_patterns(t, n, spans)])
+    if found is not None:
+        if len(_along) >= ALONG:
+            _along.clear()
+        _along[key] = found
     return found
 
 
@@ -220,22 +221,19 @@ def _weights_of(keys: Sequence[tuple[int, Pattern]]) -> list[Weights] | None:
     """The weights of patterns; None if unknown patterns have occurred too rarely, in which case their occurrences are
     counted.
     """
-    found = [*map(_weights.get, keys)]
-    if None in found:
+    made = {key: known for key in keys if (known := _weights.get(key))}
+    new = [key for key in dict.fromkeys(keys) if key not in made]
+    if new:
         if len(_met) > PATTERNS:
             _met.clear()
-        _met.update(keys)
-        made = dict(zip(keys, found, strict=True))
-        new = [key for key, weights in made.items() if weights is None]
-        # the weights of a pattern cost about as much as the forms of (degree + 1)/4 spans
-        if sum(key[0] + 1 for key in new) > 4 * len(keys) and not all(4 * _met[key] > key[0] for key in new):
-            return None
-        if len(_weights) > PATTERNS:
             _weights.clear()
+        _met.update(keys)
+        # the weights of a pattern cost about as much as the forms of (degree + 1)/4 spans
+        if sum(n + 1 for n, _ in new) > 4 * len(keys) and not all(4 * _met[key] > key[0] for key in new):
+            return None
         made.update((key, _weights_for(*key)) for key in new)
-        _weights.update(cast(dict[tuple[int, Pattern], Weights], made))
-        found = [made[key] for key in keys]
-    return cast(list[Weights], found)
+        _weights.update(made)
+    return [made[key] for key in keys]
 
 
 def _weights_for(n: int, pattern: Pattern) -> Weights:
@@ -248,7 +246,9 @@ def _weights_for(n: int, pattern: Pattern) -> Weights:
     shared = gcd(int(bottom), *[x for part in parts for x in part])
     rows = [_trimmed([x // shared for x in part]) for part in parts]
     by_points = all(len(row) == 1 for _, row in rows)
-    return rows, tuple([row[0] for _, row in rows]) if by_points else None, int(bottom) // shared
+    whole = [x // shared for part in parts for x in part]
+    packed = array("Q", whole).tobytes() if max(whole) < 1 << 64 else b""
+    return rows, tuple([row[0] for _, row in rows]) if by_points else None, int(bottom) // shared, packed
 
 
 def _trimmed(row: list[int]) -> tuple[int, tuple[int, ...]]:

@@ -92,18 +92,9 @@ class BSpline(Immutable, Refinable, RingOperand, FunctionsOutside):
         points = _exact_numbers(control_points)
         vector.check_count(degree, len(points))
         mesh, continuity, spans = mesh_of(vector, degree)
-        forms = list(blossom.forms_of(vector.knots, degree, points, spans))
-        fill(
-            self,
-            degree=degree,
-            mesh=mesh,
-            continuity=continuity,
-            numerators=tuple(c for c, _ in forms),
-            denominators=tuple(m for _, m in forms),
-            provenance=leaf(),
-            _knots=vector,
-            _points=points,
-        )
+        numerators, denominators = zip(*blossom.forms_of(vector.knots, degree, points, spans), strict=True)
+        fill(self, degree=degree, mesh=mesh, continuity=continuity, numerators=numerators, denominators=denominators)
+        fill(self, provenance=leaf(), _knots=vector, _points=points)
 
     @classmethod
     def from_forms(

@@ -12,7 +12,6 @@ from exactspline.language.operand import Operand
 from exactspline.language.provenance import leaf
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import Number, mpq
-from exactspline.polynomials.bernstein import over_common_denominator
 from exactspline.splines.blossom import CommonRows, common_rows
 from exactspline.splines.bspline import BSpline, from_parts
 from exactspline.splines.inputs import exact_row
@@ -56,24 +55,11 @@ def splines_over(
     """
     mesh, continuity, spans = mesh_of(knots, degree)
     forms = rows or common_rows(knots.knots, degree, columns, spans)
-    if forms is None:
-        return with_common_denominators([BSpline(degree, knots, column) for column in columns])
     below = tuple([fmpz(m) for _, m in forms])
     return [
         from_parts(degree, mesh, continuity, tuple([fmpz_poly(list(c)) for c in own]), below, leaf(), knots, column)
         for own, column in zip(zip(*[own for own, _ in forms], strict=True), columns, strict=True)
     ]
-
-
-def with_common_denominators(splines: Sequence[BSpline]) -> list[BSpline]:
-    """The components of a curve, segment by segment over a common denominator, so that sums stay cheap. The components
-    share one mesh; their knots and control points do not change.
-    """
-    mesh, columns = splines[0].mesh, []
-    for forms in zip(*[f.forms for f in splines], strict=True):
-        polynomials, denominator = over_common_denominator(forms)
-        columns.append([(c, denominator) for c in polynomials])
-    return [f.over_forms(mesh, row) for f, row in zip(splines, zip(*columns, strict=True), strict=True)]
 
 
 # ---- numerators and denominators of curves and surfaces

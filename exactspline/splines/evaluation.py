@@ -1,26 +1,33 @@
-"""Points and derivatives of a curve at parameters: integer polynomials in the parameter, by Horner's rule over a common
-denominator. Only the segments that contain the parameters are processed.
+"""Points and derivatives of a curve at parameters, as quotients of integers: only the control points around a parameter
+are processed, by Horner's rule in the scaled Bernstein basis. Many points together are computed by the optional
+extension in C (filter.c), as the same quotients.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from array import array
+from collections.abc import Callable, Sequence
+from functools import cache
 from itertools import accumulate, repeat
-from math import comb, gcd
-from operator import mul
+from math import comb, gcd, isnan
+from operator import mul, sub, truediv
+from typing import cast
 
-from exactspline.numbers.exact import mpq, over_one_denominator
-from exactspline.polynomials.bernstein import Form, in_parameter, over_common_denominator
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import Mesh
+from exactspline.numbers.exact import lcm, mpq, over_one_denominator
+from exactspline.numbers.once import cached_property
+from exactspline.splines.blossom import CommonRows, common_rows, packed_weights
+from exactspline.splines.control_points import Direction, Point
+from exactspline.splines.knots import KnotVector, mesh_of
 
-#: This many parameters are brought over a common denominator if it has at most this many bits; otherwise each parameter
-#: is evaluated separately.
-TOGETHER, BITS = 64, 256
-#: The integer coefficients of numerators and denominator on one segment, the highest first.
-Rows = list[list[int]]
-#: The coefficients for numerators of the parameter; each row is given by its first number and the others.
-Scaled = list[tuple[int, list[int]]]
+#: The ends of a segment as integers over a positive integer, this integer, and for every numerator and the denominator
+#: there the coefficients of its derivatives, the last first.
+Segment = tuple[int, int, int, list[list[list[int]]]]
+InC = Callable[..., int]
+#: As many parameters are brought over one denominator. C computes at least this many points together, on a curve with
+#: at most this number of control points for each.
+TOGETHER, SEVERAL, PER_POINT = 256, 4, 16
+#: In C: the bits of a limb, the most limbs of a number, the most bits of a parameter.
+LIMB, LIMBS, PLACE = 64, 64, 62
 
 
 def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -37,74 +44,69 @@ def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq
 
 
 class Evaluation:
-    """A curve as quotients of integer polynomials in its parameter; the polynomials of a segment are made when first
-    needed. All splines have the same knots and the same degree. Without a weight function the components are
-    polynomials.
+    """A curve as quotients of integer polynomials on every segment, which are made when first needed; without weights
+    the curve is polynomial.
+
+    >>> line = Evaluation(KnotVector([0, 0, 1, 1]), 1, [(mpq(0), mpq(1)), (mpq(4), mpq(2))], None)
+    >>> line.points([mpq(1, 2), mpq(1, 4)]), line.jet(mpq(1, 2), 1)
+    ([(mpq(2,1), mpq(3,2)), (mpq(1,1), mpq(5,4))], [(mpq(2,1), mpq(3,2)), (mpq(4,1), mpq(1,1))])
     """
 
-    def __init__(self, p: Sequence[BSpline], w: BSpline | None) -> None:
-        self.splines: Sequence[BSpline] = p if w is None else [*p, w]
-        self.polynomial = w is None
-        self._rows: dict[int, Rows] = {}
-        #: The rows for parameters over the last denominator used.
-        self._over: tuple[int, dict[int, Scaled]] = 1, {}
-        self._slopes: dict[tuple[int, int], list[Rows]] = {}
-
-    @property
-    def mesh(self) -> Mesh:
-        """The breakpoints of the curve."""
-        return self.splines[0].mesh
+    def __init__(self, knots: KnotVector, degree: int, points: Sequence[Point], weights: Sequence[mpq] | None) -> None:
+        self.knots, self.degree, self.control_points, self.weights = knots, degree, points, weights
+        self.mesh, _, self.spans = mesh_of(knots, degree)
+        self._segments: dict[tuple[int, int], Segment] = {}
+        self._prepared: tuple[list[int], int, list[int], int, bytes, int] | None = None
 
     def points(self, ts: Sequence[mpq], *, left: bool = False) -> list[tuple[mpq, ...]]:
         """The points at exact parameters, at a breakpoint the limits from the right, or from the left.
-
-        >>> half = BSpline.bezier([0, "1/2", 0])
-        >>> Evaluation([half, half], None).points([mpq(1, 2), mpq(1, 3)])
-        [(mpq(1,4), mpq(1,4)), (mpq(2,9), mpq(2,9))]
 
         Raises `DomainError` outside the domain.
         """
         found: list[tuple[mpq, ...]] = []
         for start in range(0, len(ts), TOGETHER):
-            some = ts[start : start + TOGETHER]
-            numerators, q = over_one_denominator(some)
-            if q.bit_length() <= BITS:
-                found += self._points(some, numerators, q, left)
-            else:
-                for t in some:
-                    found += self._points([t], [int(t.numerator)], int(t.denominator), left)
+            *numerators, below = self._quotients(*over_one_denominator(ts[start : start + TOGETHER]), left)
+            found += zip(*[map(mpq, row, below) for row in numerators], strict=True)
         return found
 
-    def _points(self, ts: Sequence[mpq], numerators: Sequence[int], q: int, left: bool) -> list[tuple[mpq, ...]]:
-        """The points at parameters over the denominator q."""
-        mesh, breaks, found = self.mesh, self.mesh.breaks, []
-        over = self._over
-        if over[0] != q:
-            over = self._over = q, {}
-        made, powers = over[1], [*accumulate(repeat(q, self.splines[0].degree), mul, initial=1)]
-        here, rows, low, high = -1, Scaled(), breaks[0], breaks[0]
-        for t, a in zip(ts, numerators, strict=True):
-            if not low < t < high and (i := mesh.locate(t, left=left)) != here:
-                here, low, high = i, breaks[i], breaks[i + 1]
-                if i not in made:
-                    made[i] = [(row[0], [*map(mul, row[1:], powers[1:])]) for row in self._rows_of(i)]
-                rows = made[i]
-            values = []
-            for first, rest in rows:
-                value = first
-                for c in rest:
-                    value = value * a + c
-                values.append(value)
-            below = values.pop()
-            found.append(tuple([mpq(value, below) for value in values]))
+    def doubles(self, ts: Sequence[float | mpq], *, left: bool = False) -> list[tuple[float, ...]]:
+        """The doubles nearest to the coordinates of the points at parameters, of which doubles mean their exact values.
+
+        >>> Evaluation(KnotVector([0, 0, 1, 1]), 1, [(mpq(0), mpq(1)), (mpq(4), mpq(2))], None).doubles([0.1, 1])
+        [(0.4, 1.1), (4.0, 2.0)]
+
+        Raises the errors of `points`, `ValueError` for NaN, `OverflowError` for infinities and coordinates beyond the
+        largest double.
+        """
+        found: list[tuple[float, ...]] = []
+        for start in range(0, len(ts), TOGETHER):
+            ratios = [cast(float, t).as_integer_ratio() for t in ts[start : start + TOGETHER]]
+            q = int(lcm(*{d for _, d in ratios}))
+            found += zip(*self._nearest([int(a * (q // d)) for a, d in ratios], q, left), strict=True)
         return found
+
+    def _quotients(self, places: Sequence[int], q: int, left: bool) -> list[Sequence[int]]:
+        """The numerators of each coordinate of the points at parameters over an integer, and their denominators."""
+        made, count = self._together(_in_c(), places, q, left, near=False), len(places)
+        if made is None:
+            return [*zip(*[[x for x, *_ in self.numbers(mpq(a, q), 0, left=left)] for a in places], strict=True)]
+        numbers = _decoded(*made[:2])
+        return [numbers[k : k + count] for k in range(0, len(numbers), count)]
+
+    def _nearest(self, places: Sequence[int], q: int, left: bool) -> list[Sequence[float]]:
+        """The doubles nearest to each coordinate of these points."""
+        made, count = self._together(_in_c(), places, q, left, near=True), len(places)
+        if made is None:
+            *numerators, below = self._quotients(places, q, left)
+            return [[(x if w > 0 else -x) / abs(w) for x, w in zip(row, below, strict=True)] for row in numerators]
+        found, width, near = made
+        for k in [k for k, x in enumerate(near) if isnan(x)]:
+            top, bottom = (found[i * width : (i + 1) * width] for i in (k, len(near) + k % count))
+            near[k] = truediv(*_decoded(top + bottom, width))
+        return [near[k : k + count] for k in range(0, len(near), count)]
 
     def jet(self, t: mpq, order: int, *, left: bool = False) -> list[tuple[mpq, ...]]:
         """The point and the derivatives to an order at an exact parameter, at a breakpoint from the right or the left.
-
-        >>> t, square = BSpline.bezier([0, "1/2", 1]), BSpline.bezier([0, 0, 1])
-        >>> Evaluation([t, square], None).jet(mpq(1, 2), 1)
-        [(mpq(1,2), mpq(1,4)), (mpq(1,1), mpq(1,1))]
 
         Raises `DomainError` outside the domain.
         """
@@ -116,51 +118,123 @@ class Evaluation:
         """The values and the derivatives to an order of the numerators and then of the denominator, as integers up to a
         common positive factor.
 
-        >>> t, square = BSpline.bezier([0, "1/2", 1]), BSpline.bezier([0, 0, 1])
-        >>> Evaluation([t, square], None).numbers(mpq(1, 2), 1)
+        >>> square = [(mpq(0), mpq(0)), (mpq(1, 2), mpq(0)), (mpq(1), mpq(1))]
+        >>> Evaluation(KnotVector([0, 0, 0, 1, 1, 1]), 2, square, None).numbers(mpq(1, 2), 1)
         [[2, 4], [1, 4], [4, 0]]
 
         Raises `DomainError` outside the domain.
         """
-        a, q = int(t.numerator), int(t.denominator)
-        powers = [*accumulate(repeat(q, max(self.splines[0].degree, order)), mul, initial=1)]
-        found = []
-        for derivatives in self._slopes_of(self.mesh.locate(t, left=left), order):
-            values = []
-            for c, scale in zip(derivatives, powers, strict=False):
-                value = 0
-                for x, power in zip(c, powers, strict=False):
-                    value = value * a + x * power
-                # every derivative is a quotient by the same power of q
-                values.append(value * scale)
-            found.append(values)
-        return found
+        low, high, unit, slopes = self._on(self.mesh.locate(t, left=left), order)
+        a, q, n = int(t.numerator), int(t.denominator), self.degree
+        u, v = ([*accumulate(repeat(x, n), mul, initial=1)] for x in (high * q - a * unit, a * unit - low * q))
+        scales = [*accumulate(repeat(unit * q, order), mul, initial=1)]
+        # the basis of every derivative, times its scale
+        bases = [
+            [x * y * scale for x, y in zip(u, v[max(n - k, 0) :: -1], strict=False)] for k, scale in enumerate(scales)
+        ]
+        return [[sum(map(mul, row, basis)) for row, basis in zip(rows, bases, strict=True)] for rows in slopes]
 
-    def _slopes_of(self, i: int, order: int) -> list[Rows]:
-        """The coefficients of the derivatives to an order, for every numerator and the denominator on a segment."""
+    def _on(self, i: int, order: int) -> Segment:
+        """A segment, with the derivatives to an order: those of the form ∂v − ∂u."""
         key = i, order
-        if key not in self._slopes:
-            made = [[row] for row in self._rows_of(i)]
-            for rows in made:
-                for _ in range(order):
-                    c = rows[-1]
-                    rows.append([x * (len(c) - 1 - k) for k, x in enumerate(c[:-1])])
-            self._slopes[key] = made
-        return self._slopes[key]
+        if key not in self._segments:
+            n, slopes, (rows, below) = self.degree, list[list[list[int]]](), self._rows[i]
+            if self.weights is None:
+                rows = [*rows, [below * self._columns[1] * comb(n, k) for k in range(n + 1)]]
+            shared = gcd(*[x for row in rows for x in row])
+            for row in rows:
+                slopes.append([[x // shared for x in reversed(row)]])
+                for degree in range(n, n - order, -1):
+                    c = slopes[-1][-1]
+                    slopes[-1].append([(degree - k) * c[k] - (k + 1) * c[k + 1] for k in range(degree)] or [0])
+            (low, high), unit = over_one_denominator(self.mesh.breaks[i : i + 2])
+            self._segments[key] = low, high, unit, slopes
+        return self._segments[key]
 
-    def _rows_of(self, i: int) -> Rows:
-        rows = self._rows.get(i)
-        if rows is None:
-            rows = self._rows[i] = self._made(i)
-        return rows
+    @cached_property
+    def _rows(self) -> list[CommonRows]:
+        """The integers of the forms on every segment: of the numerators and, with weights, of the denominator."""
+        return common_rows(self.knots.knots, self.degree, self._columns[0], self.spans)
 
-    def _made(self, i: int) -> Rows:
-        n, ends = self.splines[0].degree, self.mesh.breaks[i : i + 2]
-        forms: list[Form] = [(f.numerators[i], f.denominators[i]) for f in self.splines]
-        polynomials, common = over_common_denominator(forms)
-        parts = [in_parameter(c, n, ends) for c in polynomials]
-        rows = [[int(c[k]) for k in range(n, -1, -1)] for c, _ in parts]
-        if self.polynomial:
-            rows.append([0] * n + [int(common * parts[0][1])])
-        shared = gcd(*[x for row in rows for x in row])
-        return [[x // shared for x in row] for row in rows]
+    @cached_property
+    def _columns(self) -> tuple[list[list[int]], int]:
+        """The numerators and, with weights, the denominators of the control points, up to a common positive factor; and
+        this denominator without weights.
+        """
+        points, count = self.control_points, len(self.control_points[0])
+        numbers, below = over_one_denominator([x for point in points for x in point])
+        columns = [numbers[k::count] for k in range(count)]
+        if self.weights is None:
+            return columns, below
+        weights, unit = over_one_denominator(self.weights)
+        factors = [unit if type(point) is Direction else w for point, w in zip(points, weights, strict=True)]
+        return [*[[*map(mul, column, factors)] for column in columns], [w * below for w in weights]], below
+
+    # ---- many points in C
+
+    def _for_c(self) -> tuple[list[int], int, list[int], int, bytes, int]:
+        """The breakpoints over an integer, and this integer; the numerators and the denominators of all control points,
+        and the bits of the largest; the weights with which they enter into the forms, and the bits by which forms are
+        at most larger. They are kept, once there are weights.
+        """
+        made = self._prepared
+        if made is None:
+            columns, below = self._columns
+            denominators = [below] * len(self.control_points) if self.weights is None else []
+            numbers = [x for column in (*columns, denominators) for x in column]
+            packed = packed_weights(self.knots.knots, self.degree, self.spans)
+            made = *over_one_denominator(self.mesh.breaks), numbers, max(x.bit_length() for x in numbers), *packed
+            self._prepared = made if packed[0] else None
+        return made
+
+    def _together(
+        self, function: InC | None, places: Sequence[int], q: int, left: bool, *, near: bool
+    ) -> tuple[bytes, int, list[float]] | None:
+        """The numerators and the denominators of points, the bytes that one takes, and the doubles nearest to the
+        quotients, NaN where they are not certain; None where C cannot compute them.
+        """
+        count, at, n, segments = len(self.control_points), len(places), self.degree, len(self.spans)
+        if function is None or at < SEVERAL or count > PER_POINT * at or q.bit_length() > PLACE:
+            return None
+        breaks, unit, numbers, size, weights, more = self._for_c()
+        common, components = int(lcm(unit, q)), len(numbers) // count
+        breaks = [x * (common // unit) for x in breaks]
+        places = places if common == q else [x * (common // q) for x in places]
+        limbs = (size + more + n * max(map(sub, breaks[1:], breaks)).bit_length()) // LIMB + 1
+        inside = breaks[0] <= min(places) <= max(places) <= breaks[-1] < 1 << PLACE and breaks[0] > -1 << PLACE
+        if not weights or not inside or limbs > LIMBS:
+            return None
+        sizes = n, components, limbs, count, segments, left, at, *[j - n for j in self.spans], *breaks, *places
+        given, doubles, width = array("q", sizes), array("d", bytes(8 * (components - 1) * at)), 8 * limbs
+        found = array("q", bytes(width * (components * (at + n + 1) + 1)))
+        points = b"".join([x.to_bytes(width, "little", signed=True) for x in numbers])
+        room = doubles.buffer_info()[0] if near else None
+        function(given.buffer_info()[0], weights, points, found.buffer_info()[0], room)
+        return found[: components * at * limbs].tobytes(), width, doubles.tolist()
+
+
+def _decoded(numbers: bytes, width: int) -> list[int]:
+    """The numbers, each of which takes some bytes."""
+    if width == LIMB // 8:
+        return array("q", numbers).tolist()
+    return [int.from_bytes(numbers[k : k + width], "little", signed=True) for k in range(0, len(numbers), width)]
+
+
+@cache
+def _in_c() -> InC | None:
+    """The function of the extension that computes points, if it is right for a curve with large and small numbers."""
+    from ctypes import c_void_p
+
+    from exactspline.numbers.extension import loaded
+
+    return loaded("curve_points", _is_right, *[c_void_p] * 5)
+
+
+def _is_right(function: InC) -> bool:
+    """Whether C finds large numbers, quotients on either side of 0, and that one is between two doubles."""
+    line = Evaluation(KnotVector([0, 0, 1, 1]), 1, [(mpq(-(2**70)),), (mpq(2**53 + 1),)], [mpq(3), mpq(2)])
+    numbers, below = [-3 * 2**71, 2**54 - 3 * 2**70 + 2, 2**55 + 4, 2**55 + 4], [6, 5, 4, 4]
+    found = line._together(function, [0, 1, 2, 2], 2, left=False, near=True)
+    if found is None or _decoded(*found[:2]) != numbers + below:
+        return False
+    return found[2][:2] == [-(2**70), numbers[1] / 5] and all(map(isnan, found[2][2:]))

@@ -193,12 +193,8 @@ class Mesh(Immutable):
     def __init__(self, breaks: Iterable[mpq]) -> None:
         breaks = tuple(breaks)
         widths = [b - a for a, b in pairwise(breaks)]
-        fill(
-            self,
-            breaks=breaks,
-            widths=tuple((to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths),
-            unit=all(h == 1 for h in widths),
-        )
+        pairs = tuple((to_fmpz(h.numerator), to_fmpz(h.denominator)) for h in widths)
+        fill(self, breaks=breaks, widths=pairs, unit=all(h == 1 for h in widths))
 
     def __reduce__(self) -> tuple[object, ...]:
         return Mesh, (self.breaks,)

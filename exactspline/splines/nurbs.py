@@ -257,7 +257,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     def __call__(self, t: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:
         """Return the exact point at a parameter; at a jump, the limit from the right, or from the given `side`."""
-        return self.evaluation.points([rational(t)], left=checked_side(side))[0]
+        *numerators, [w] = self.evaluation.numbers(rational(t), 0, left=checked_side(side))
+        return tuple([mpq(x, w) for [x] in numerators])
 
     def points_at(self, ts: Iterable[Number], side: Side | str = Side.RIGHT) -> list[tuple[mpq, ...]]:
         """Return the exact points at many parameters, in less time than single calls of the curve.
@@ -271,8 +272,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
 
     @cached_property
     def evaluation(self) -> Evaluation:
-        """The integers of the curve's splines, from which points and derivatives are computed."""
-        return Evaluation(self.p.components, None if self.polynomial else self.w)
+        """The integers of the curve, from which points and derivatives are computed."""
+        return Evaluation(self.knots, self.degree, self.control_points, None if self.polynomial else self.weights)
 
     @overload
     def derivative(self, order: int = ...) -> Nurbs:
@@ -362,14 +363,11 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
         ((((0, 8), (0, 1)), 2),)
         """
-        made = None
+        n = self.degree
         if "_splines" not in vars(self):
-            made = common_rows(self.knots.knots, self.degree, self._columns, mesh_of(self.knots, self.degree)[2])
-        if made is None:
-            n, splines = self.degree, self._splines
-            columns = [[tuple(int(c[k]) for k in range(n + 1)) for c in f.numerators] for f in splines]
-            made = list(zip(zip(*columns, strict=True), map(int, splines[0].denominators), strict=True))
-        return tuple(made)
+            return tuple(common_rows(self.knots.knots, n, self._columns, mesh_of(self.knots, n)[2]))
+        columns = [[tuple(int(c[k]) for k in range(n + 1)) for c in f.numerators] for f in self._splines]
+        return tuple(zip(zip(*columns, strict=True), map(int, self._splines[0].denominators), strict=True))
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for
@@ -417,13 +415,8 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
         t = self.knots.knots
         if t[0] == t[self.degree] and t[-1] == t[-1 - self.degree]:
             return self.control_points[0] == self.control_points[-1]
-        w, n = self.w.numerators, self.w.degree
-        # each end has the common denominator of one segment, so that only the integers at the ends matter
-        start, end = w[0][0] * self.w.denominators[-1], w[-1][n] * self.w.denominators[0]
-        return all(
-            x.numerators[0][0] * x.denominators[-1] * end == x.numerators[-1][x.degree] * x.denominators[0] * start
-            for x in self.p
-        )
+        a, b = self.domain
+        return self(a) == self(b)
 
     @one_line
     def __repr__(self) -> str:

@@ -26,6 +26,7 @@ from exactspline import Nurbs, analyse, example
 from exactspline.geometry.analysis.curves import Analysis
 from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, plane_program
 from exactspline.geometry.filter.certain import certain
+from exactspline.numbers import extension
 from exactspline.programs import accelerator
 from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, certain_pair, segment_in_doubles, table_of
 from tests.campaigns import filter as campaign
@@ -275,7 +276,7 @@ def flipped(made: bytes) -> bytes:
 @pytest.mark.parametrize("damaged", [truncated, flipped])
 def test_a_damaged_library_is_not_loaded(tmp_path, damaged):
     """It ended Python without a word (SIGBUS, SIGSEGV), or was believed."""
-    made = Path(accelerator.LIBRARY)
+    made = Path(extension.LIBRARY)
     for file in made.parent.glob(f"{made.name}*"):
         shutil.copy(file, tmp_path)
     library = tmp_path / made.name

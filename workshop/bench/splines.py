@@ -14,26 +14,35 @@ from workshop.bench.row import OURS, Options, Row, Timed, best, bounded, compare
 
 SPLINES = "splines"
 POINTS = 50
-#: How many times the time of scipy points and a knot may take.
-MOST = (15, 10)
+#: How many times the time of scipy points, points as doubles and a knot may take.
+MOST = (15, 20, 10)
 #: The number of curvatures.
 MANY = 10_000
 PEERS = ("scipy", "geomdl", "pynurbs")
 
 
 def spline_rows(options: Options) -> Iterator[Row]:
-    """Points on a rational cubic of ten segments, and the insertion of one knot."""
+    """Points on a rational cubic of ten segments, each time a new curve, and the insertion of one knot."""
     c = curve(3, 10)
     places = [Fraction(10 * i, POINTS) for i in range(POINTS)]
-    exact = [mpq(t.numerator, t.denominator) for t in places]
+    exact, doubles = [mpq(t.numerator, t.denominator) for t in places], [*map(float, places)]
+
+    def new() -> Nurbs:
+        return Nurbs(c.degree, c.knots, c.control_points, c.weights)
+
+    new().floats(doubles)  # what is imported for it is not its time
     ours: dict[str, Timed] = {
         f"{POINTS} points of a rational cubic, 10 segments": (
             lambda made: made.points_at(exact),  # type: ignore[attr-defined]  # a curve
-            lambda: c,
+            new,
+        ),
+        f"{POINTS} points of a rational cubic, 10 segments, as doubles": (
+            lambda made: made.floats(doubles),  # type: ignore[attr-defined]  # a curve
+            new,
         ),
         "a knot inserted, rational cubic, 10 segments": (
             lambda made: made.insert_knot(mpq(1, 3)),  # type: ignore[attr-defined]  # a curve
-            lambda: Nurbs(c.degree, c.knots, c.control_points, c.weights),
+            new,
         ),
     }
     for number, ((case, our_case), most) in enumerate(zip(ours.items(), MOST, strict=True)):
@@ -41,7 +50,7 @@ def spline_rows(options: Options) -> Iterator[Row]:
         for who in PEERS:
             if not installed(who):
                 absent.append(who)
-            elif made := THEIRS[who](c, places)[number]:
+            elif made := THEIRS[who](c, places)[number // 2]:
                 timed[who] = made
         yield from compared(SPLINES, case, best(timed), {"scipy": Fraction(most)})
         yield from (missing(SPLINES, case, who) for who in absent)

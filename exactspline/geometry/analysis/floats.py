@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from functools import partial
 from math import inf, isfinite, nan
 from typing import TYPE_CHECKING, Any, TypeAlias, cast, overload
@@ -75,6 +76,8 @@ class Quantity(Word):
 
 
 SCALARS_OF_SURFACES = (Quantity.GAUSSIAN_CURVATURE, Quantity.MEAN_CURVATURE)
+#: What is evaluated at parameters of these types all together.
+PLAIN, RATIOS = (Quantity.POINT, 0, Rounding.NEAREST), {float, int, type(mpq())}
 SCALARS = (Quantity.CURVATURE, Quantity.TORSION, *SCALARS_OF_SURFACES)
 
 
@@ -183,8 +186,13 @@ def _values(
             raise ShapeError("a left side of a surface", remedy="on knot lines limits are those from inside u+, v+")
         rows = _of_surface(given, grids, of, order, rounding)
     else:
-        places = [_place_of(t, given.domain) for t in grids[0].flat]
-        rows = _of_curve(given, places, of, checked_order(cast(int, order)), rounding, side)
+        ts, n = grids[0].ravel().tolist(), checked_order(cast(int, order))
+        if isinstance(given, Nurbs) and (of, n, rounding) == PLAIN and RATIOS.issuperset(map(type, ts)):
+            # other parameters, and coordinates beyond the largest double, go the other way
+            with suppress(DomainError, ValueError, OverflowError):
+                points = given.evaluation.doubles(ts, left=side is Side.LEFT)
+                return np.array(points).reshape((*grids[0].shape, given.dimension))
+        rows = _of_curve(given, [_place_of(t, given.domain) for t in ts], of, n, rounding, side)
     vectors = isinstance(given, Nurbs | NurbsSurface) and of not in SCALARS
     axes = (given.dimension,) if isinstance(given, Nurbs | NurbsSurface) and vectors else ()
     return np.array(rows, dtype=float).reshape((*grids[0].shape, *axes))
@@ -211,9 +219,6 @@ def _of_curve(
     if of is Quantity.CURVATURE:
         plane, left = in_plane_or_space(given), side is Side.LEFT
         return [[_curvature(plane, place, rounding, side, left=left)] for place in places]
-    if of is Quantity.POINT and not order and not any(isinstance(place, Real) for place in places):
-        points = given.evaluation.points(cast("Sequence[mpq]", places), left=side is Side.LEFT)
-        return [[_rounded(x, rounding) for x in point] for point in points]
     size = 1 if of in SCALARS else given.dimension
     return [_defined(partial(_vector, given, t, of, order, side), size, rounding) for t in places]
 
@@ -315,12 +320,9 @@ def _place_of(t: object, domain: Interval) -> mpq | Real:
         t = t.root
     if not is_float(t):
         return exact_place(cast(Number | Real, t))
-    low, high = domain
-    value = from_float(t)
+    value, (low, high) = from_float(t), domain
     if low <= value <= high:
         return value
-    for end, outside in ((low, value < low), (high, value > high)):
-        nearest = _rounded(end, Rounding.NEAREST)
-        if outside and isfinite(nearest) and value == from_float(nearest):
-            return end
-    return value
+    end = low if value < low else high
+    nearest = _rounded(end, Rounding.NEAREST)
+    return end if isfinite(nearest) and value == from_float(nearest) else value
