@@ -52,12 +52,8 @@ FEW, EACH = 30, 8
 #: function is positive; zeros of the first output and of another overlap. And of the knot at its start, or of the seam:
 #: the first output changes its sign; the second does; the curvatures of both sides certainly differ.
 UNCERTAIN, SLOW, ENTANGLED, BENDS, TURNS, DIFFERENT = 1, 2, 4, 8, 16, 32
-#: Integers below this are doubles.
-EXACT = 2**53
 #: The integers of the operands of a segment, and their denominator.
 Row = tuple[Sequence[Sequence[int]], int]
-#: The signs of a zero by two bits.
-SIGNS = ((-1, -1), (-1, 1), (1, -1), (1, 1))
 
 
 class _Instruction(Structure):
@@ -105,15 +101,14 @@ def _carries_out(function: Callable[..., int]) -> bool:
     """Whether each instruction gives exactly the right ordinates at both ends for the form u² + 2uv + 4v² divided by 8,
     and the zero of 3∂u − ∂v of this form is found.
     """
-    count, order = len(ORDER), ORDER
+    count = len(ORDER)
     data, found = array("d", [1, 2, 4, 1]), array("d", bytes(8 * (OF_SEGMENT + 5 * count + OF_ZERO)))
     if function(byref(_known_program()), data.buffer_info()[0], 1, found.buffer_info()[0], 1) != 1:
         return False
     code, segment, low, high = found[-OF_ZERO:]
-    of_segment = found[count:-OF_ZERO]
-    ends = list(zip(of_segment[1 : 4 * count : 4], of_segment[3 : 4 * count : 4], strict=True))
+    ends = list(zip(found[count + 1 : 5 * count : 4], found[count + 3 : 5 * count : 4], strict=True))
     return (
-        ends == [KNOWN[k][-1] for k in order]
+        ends == [KNOWN[k][-1] for k in ORDER]
         and (code, segment, *found[:count]) == (4 * (count - 2) + 3, 0, UNCERTAIN, *[0] * (count - 2), 1)
         and surrounds(low, high, 2 / 3)
     )
@@ -170,7 +165,7 @@ class Signs(NamedTuple):
         """The zeros of an output in the order of segments and parameters."""
         columns = [self.numbers[self.start + k :: OF_ZERO] for k in range(OF_ZERO)]
         return [
-            SegmentZero(output, int(segment), low, high, *SIGNS[int(code) & 3], place)
+            SegmentZero(output, int(segment), low, high, 1 if code % 4 > 1 else -1, 1 if code % 2 else -1, place)
             for place, (code, segment, low, high) in enumerate(zip(*columns, strict=True))
             if code // 4 == output
         ]
@@ -244,7 +239,7 @@ def nearest(program: Program, rows: Sequence[Row], zeros: array[float], ends: Se
     try:
         whole = [*_integers(rows)]
         data, places = array("d", whole), array("d", map(float, ends))
-        exact = max(data) < EXACT and min(data) > -EXACT
+        exact = max(map(abs, whole)) < 2**53  # then all are doubles
         rest, off = array("d", () if exact else _rest(whole, data)), array("d", _rest(ends, places))
     except OverflowError:
         return found

@@ -121,6 +121,8 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> Apart | None:
     return found
 
 
+#: The signs on both sides of a zero, by the sign before it.
+SIDES = {1: (1, -1), -1: (-1, 1)}
 #: The kinds of an extremum.
 KINDS = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
 #: A zero of κ or κ′.
@@ -154,17 +156,23 @@ class _CurveZero(LazyRoot):
     near, _found = (), None
 
     def __init__(self, curve: Certain, zero: SegmentZero, number: int, side: Interval) -> None:
-        self.curve, self.zero, self.number, self.side = curve, zero, number, side
-        self.interval, self.before, self.signs = zero[2:4], zero.before, (zero.before, -zero.before)
+        self.curve, self.place, self.number, self.side = curve, zero.place, number, side
+        self.before, self.signs = zero.before, SIDES[zero.before]
+
+    @cached_property
+    def interval(self) -> Sequence[float]:  # type: ignore[override]  # read when it is needed
+        """The ends of its interval."""
+        return self.curve.found.some(self.place, 1)[2:]
 
     @cached_property
     def form(self) -> _SegmentForm:  # type: ignore[override]  # computed when it is needed
         """The output on its segment."""
-        return _SegmentForm(self.curve, self.zero.output, self.zero.segment)
+        code, segment, *_ = map(int, self.curve.found.some(self.place, 1))
+        return _SegmentForm(self.curve, code // 4, segment)
 
     def nearest(self, side: Interval | None, rounding: str) -> float:
         """The double nearest to the parameter, from C, as for `InDoubles`."""
-        return self.curve.nearest(self.zero.place) if side is self.side and rounding == Rounding.NEAREST else nan
+        return self.curve.nearest(self.place) if side is self.side and rounding == Rounding.NEAREST else nan
 
 
 @dataclass
