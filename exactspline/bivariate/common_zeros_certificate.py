@@ -28,6 +28,7 @@ from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.search import Search
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import divided_out, factorize_square_free, greatest_common_divisor
@@ -313,10 +314,9 @@ def _sign(values: Sequence[Any]) -> int:
 
 def _boxes(forms: Sequence[PatchForm], regions: Sequence[Box]) -> Iterator[object]:
     """The cuts of boxes, the regions, and the combinations with one sign."""
-    todo, boxes = [Sized(UNIT, list(forms), 0)], 0
-    while todo:
-        part, boxes = todo.pop(), boxes + 1
-        if boxes > BOXES:
+    search = Search([Sized(UNIT, list(forms))], depth_first=True)
+    for part in search:
+        if search.seen > BOXES:
             raise ReachError(f"a certificate of more than {BOXES} boxes", remedy=REMEDY)
         k = next((k for k, region in enumerate(regions) if region.contains(part.box)), None)
         if k is not None:
@@ -327,7 +327,7 @@ def _boxes(forms: Sequence[PatchForm], regions: Sequence[Box]) -> Iterator[objec
             yield [str(x) for x in excluded]
             continue
         yield FIRST if part.box.first.width >= part.box.second.width else SECOND
-        todo += reversed(halved(part))
+        search.split(halved(part))
 
 
 def _candidates(forms: Sequence[PatchForm]) -> Iterator[list[int]]:
@@ -405,7 +405,7 @@ class _Subdivision:
         """Cuts, boxes, singular points, and the zeros on all lines that were needed."""
         boxes = list(grid(self.form, [cell.box for cell in self.cells]))
         cuts = [sorted({end for box in boxes for end in box[k]}) for k in (0, 1)]
-        tokens = list(self._tokens([Sized(box, [self.form.part(box)], 0) for box in boxes]))
+        tokens = list(self._tokens([Sized(box, [self.form.part(box)]) for box in boxes]))
         cells = [self._cell(cell) for cell in self.cells]
         return {
             "cuts": _texts(cuts),
@@ -428,9 +428,8 @@ class _Subdivision:
         return self.lines[key]
 
     def _tokens(self, boxes: Sequence[Sized]) -> Iterator[object]:
-        todo, done, count = list(boxes[::-1]), {cell.box: k for k, cell in enumerate(self.cells)}, 0
-        while todo:
-            part, count = todo.pop(), count + 1
+        search, done = Search(boxes, depth_first=True), {cell.box: k for k, cell in enumerate(self.cells)}
+        for part in search:
             own = part.forms[0]
             if part.box in done:
                 yield done[part.box]
@@ -445,10 +444,10 @@ class _Subdivision:
                 yield ACROSS[direction]
                 self._graph(part.box, direction)
                 continue
-            if is_small(part.box, self.form) or count > BOXES_ON_PATCH:
+            if is_small(part.box, self.form) or search.seen > BOXES_ON_PATCH:
                 raise ReachError("a certificate of a singular point that is in no cell", remedy=REMEDY)
             yield (FIRST, SECOND)[own.steeper]
-            todo += reversed(halved(part, own.steeper))
+            search.split(halved(part, own.steeper))
 
     def _separate(self, box: Box, direction: int) -> list[tuple[tuple[int, mpq], int]]:
         """Refine the zeros on the sides of one direction until it is clear which of them are on the box, and return

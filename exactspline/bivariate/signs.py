@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -12,6 +11,7 @@ from exactspline.bivariate.borders import Edge, along, roots_along
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.search import Search
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 
@@ -84,12 +84,8 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
     """The sign of a form on the square, beginning with boxes that fill the square."""
     witnesses = dict([_witness(form)])
     zeros: dict[Point, None] = {}
-    undecided = False
-    todo = deque(Sized(box, [form.part(box)], 0) for box in boxes)
-    seen = 0
-    while todo:
-        part = todo.popleft()
-        seen += 1
+    search = Search(Sized(box, [form.part(box)]) for box in boxes)
+    for part in search:
         own = part.forms[0]
         for value, place in zip(own.corners, product(*part.box), strict=True):
             if value == 0:
@@ -102,14 +98,11 @@ def _signs(form: PatchForm, boxes: Sequence[Box]) -> Signs:
             witnesses.setdefault(sign, part.box.middle)
         if len(witnesses) > 1:
             return Signs(Sign.BOTH, witnesses[1], witnesses[-1])
-        if sign:
-            continue
-        if seen > BOXES or part.depth >= DEPTH:
-            undecided = True
-        else:
-            todo.extend(halved(part, own.steeper))
+        if not sign:
+            allowed = search.seen <= BOXES and search.depth < DEPTH
+            search.split(halved(part, own.steeper) if allowed else None)
     positive, negative = witnesses.get(1), witnesses.get(-1)
-    if undecided:
+    if search.open:
         return Signs(Sign.UNDECIDED, positive, negative, tuple(zeros))
     shown = (Sign.NOT_NEGATIVE, Sign.NOT_POSITIVE) if zeros else (Sign.POSITIVE, Sign.NEGATIVE)
     return Signs(shown[not positive], positive, negative, tuple(sorted(zeros)))

@@ -9,7 +9,7 @@ one of these two kinds.
 
 from __future__ import annotations
 
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -26,6 +26,7 @@ from exactspline.bivariate.zero_lines import rational_lines
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.search import Search
 from exactspline.one_line import OneLine
 from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved, rounded
@@ -178,7 +179,7 @@ class ZeroCurve(OneLine):
     def _beginning(self) -> Begun:
         cells = singular_cells(self.form, self._known)
         done = [cell.box for cell in cells]
-        return Begun([Sized(box, [rounded(self.form, box)], 0) for box in grid(self.form, done)], cells)
+        return Begun([Sized(box, [rounded(self.form, box)]) for box in grid(self.form, done)], cells)
 
     def _subdivide(self, begun: Begun) -> None:
         done = [*(cell.box for cell in begun.cells), *begun.unresolved]
@@ -194,25 +195,23 @@ class ZeroCurve(OneLine):
                 self._crossings.append(Joint(cell.box, cell.zero, ends))
             else:
                 self.undecided.append(cell.box)
-        todo = deque(begun.boxes)
-        boxes = 0
-        while todo:
-            part = todo.popleft()
+        search, boxes = Search(begun.boxes), 0
+        for part in search:
             own = part.forms[0]
             if own.sign is not None or any(box.contains(part.box) for box in done):
                 continue
             if any(box.overlaps(part.box) for box in done):
-                todo.extend(halved(part))
+                search.split(halved(part))
                 continue
             boxes += 1
             direction = next((k for k in (0, 1) if own.is_monotonic(k)), None)
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
-            elif on_a_line or is_small(part.box, self.form) or boxes > BOXES:
-                self.undecided.append(part.box)
             else:
-                todo.extend(halved(part, own.steeper))
+                allowed = not on_a_line and not is_small(part.box, self.form) and boxes <= BOXES
+                search.split(halved(part, own.steeper) if allowed else None)
+        self.undecided += [part.box for part in search.open]
 
     def _branches(self, cell: Cell) -> None:
         """Record the branches that leave a singular point, or that there are no branches."""

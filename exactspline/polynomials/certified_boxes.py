@@ -16,7 +16,6 @@ for solving polynomial equations, 2009 (the preconditioning).
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Sequence
 from functools import partial, reduce
 from itertools import combinations, islice
@@ -26,6 +25,7 @@ from flint import fmpz
 
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
+from exactspline.numbers.search import Search
 from exactspline.polynomials.cost import affords, height_bits
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, rounded
 
@@ -149,28 +149,22 @@ def isolate(
     >>> len(found.zeros), found.undecided, float(found.zeros[0].refine(40)[0][0])
     (1, [], 0.70710678118...)
     """
-    result = Isolation([] if before is None else before.zeros, [])
-    start = [UNIT] if before is None else before.undecided
+    zeros, start = ([], [UNIT]) if before is None else before
     vanishing, effort = len(forms), _Effort(forms, BOXES if before else None)
     given = {(i, j): _pair(forms[i], forms[j]) for i, j in combinations(range(vanishing - also), 2)}
     searched = [*_of_one_degree(*forms[: vanishing - also]), *forms[vanishing - also :], *not_positive]
-    todo = deque(Sized(box, [rounded(f, box) for f in searched], 0) for box in start)
-    while todo:
-        part = todo.popleft()
-        known = any(zero.region.contains(part.box) for zero in result.zeros)
+    search = Search(Sized(box, [rounded(f, box) for f in searched]) for box in start)
+    for part in search:
+        known = any(zero.region.contains(part.box) for zero in zeros)
         if known or any(f.sign is not None for f in part.forms[:vanishing]):
             continue
         if any(f.sign == 1 for f in part.forms[vanishing:]):
             continue
         order = sorted(given, key=partial(_dependence, part.forms)) if len(given) > 1 else given
-        tried = order if part.depth > FEW else islice(order, 1)
-        if any(_is_decided(part, given[at], at, result.zeros) for at in tried):
-            continue
-        if effort.allows(part.depth):
-            todo.extend(halved(part))
-        else:
-            result.undecided.append(part.box)
-    return result
+        tried = order if search.depth > FEW else islice(order, 1)
+        if not any(_is_decided(part, given[at], at, zeros) for at in tried):
+            search.split(halved(part) if effort.allows(search.depth) else None)
+    return Isolation(zeros, [part.box for part in search.open])
 
 
 class _Effort:

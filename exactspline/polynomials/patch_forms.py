@@ -226,7 +226,6 @@ class Sized(NamedTuple):
 
     box: Box
     forms: list[PatchForm]
-    depth: int
 
 
 def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
@@ -235,7 +234,7 @@ def halved(part: Sized, direction: int | None = None) -> tuple[Sized, Sized]:
         direction = 0 if part.box.first.width >= part.box.second.width else 1
     pairs = [f.halves(direction) for f in part.forms]
     first, second = (
-        Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs], part.depth + 1)
+        Sized(box, [pair[k].primitive() if len(pairs) == 1 else pair[k] for pair in pairs])
         for k, box in enumerate(part.box.halves(direction))
     )
     return first, second

@@ -4,7 +4,6 @@ denominator keeps its sign is decided exactly, patch by patch.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
 from functools import partial
@@ -20,6 +19,7 @@ from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.numbers.once import Immutable, fill
+from exactspline.numbers.search import Search
 from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.reals.real import Real
@@ -67,32 +67,30 @@ def _check_weight(w: TensorSpline) -> None:
 def _sign_or_box(form: PatchForm) -> int | tuple[Box, bool]:
     """The sign on the closed square, or a box and whether it certainly contains a zero."""
     sign = 0
-    todo = deque([Sized(UNIT, [form], 0)])
-    for _ in range(BOXES):
-        if not todo:
-            return sign
-        part = todo.popleft()
-        if place := zero_at_corners(part):
+    search = Search([Sized(UNIT, [form])])
+    for part in search:
+        if search.seen > BOXES:
+            return part.box, False
+        if place := zero_at_corners(part, search.depth):
             return place, True
         sign = 1 if part.forms[0].corners[0] > 0 else -1
         if part.forms[0].sign is None:
-            todo.extend(halved(part))
-    return todo[0].box, False
+            search.split(halved(part))
+    return sign
 
 
-def zero_at_corners(part: Sized) -> Box | None:
+def zero_at_corners(part: Sized, depth: int = 0) -> Box | None:
     """A corner of a part that is a zero, or a small box between corners of both signs, which contains a zero."""
-    while True:
-        for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
-            if value == 0:
-                return Box.point(x, y)
-        if not _crosses(part):
-            return None
-        if part.depth >= DEPTH:
-            return part.box
-        # a half has corners of both signs, or a corner that is a zero
-        first, second = halved(part)
-        part = first if _crosses(first) or 0 in first.forms[0].corners else second
+    for value, (x, y) in zip(part.forms[0].corners, product(*part.box), strict=True):
+        if value == 0:
+            return Box.point(x, y)
+    if not _crosses(part):
+        return None
+    if depth >= DEPTH:
+        return part.box
+    # a half has corners of both signs, or a corner that is a zero
+    first, second = halved(part)
+    return zero_at_corners(first if _crosses(first) or 0 in first.forms[0].corners else second, depth + 1)
 
 
 def _crosses(part: Sized) -> bool:

@@ -280,7 +280,7 @@ def test_zeros_are_in_the_boxes_of_a_bisection(monkeypatch):
     assert remaining
     for part in boxes:
         assert any(form.part(part.box).derivative(k).sign for k in (0, 1))
-        assert part.depth <= 8
+    assert all(part.box.first.width * part.box.second.width >= mpq(1, 2**8) for part in boxes)
     assert {mpq(1, 2**8)} == {box.first.width * box.second.width for box in remaining}
     assert all(box.first.low <= mpq(1, 2) <= box.first.high and box.second.low <= mpq(1, 3) for box in remaining)
     every = [part.box for part in boxes] + remaining

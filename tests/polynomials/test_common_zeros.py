@@ -196,7 +196,7 @@ def test_a_curve_is_open_only_where_it_meets_an_open_box():
     form = as_form((4 * S - 2) ** 2 + (4 * T - 2) ** 2 - 1)
     for x, shape in ((mpq(1, 2), "closed loop"), (mpq(1, 4), "arc into an undecided box")):
         box = Box(Interval(x - mpq(1, 32), x + mpq(1, 32)), Interval(mpq(15, 32), mpq(17, 32)))
-        curve = ZeroCurve(form, begun=Begun([Sized(UNIT, [form], 0)], (), [box]))
+        curve = ZeroCurve(form, begun=Begun([Sized(UNIT, [form])], (), [box]))
         assert curve.undecided == [box]
         assert {part.shape for part in curve.parts} == {shape}
         assert pickle.loads(pickle.dumps(curve)).undecided == [box]

@@ -279,16 +279,16 @@ def test_a_zero_of_a_weight_lies_in_the_box_that_is_told():
     """Of −1 + 2x, of (2x − 1)(2y − 1) + ε with a corner at 0, and where no corner is negative none is told."""
     for net in ([[-1], [1]], [[1, 1], [-1, 1]], [[3, -1], [1, 1]], [[-1, -1], [-1, 2]]):
         form = PatchForm.of_net(net)
-        (a, b), (c, d) = found = zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [form], 0))
+        (a, b), (c, d) = found = zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [form]))
         values = [form.value(x, y) for x in (a, b) for y in (c, d)]
         assert min(values) <= 0 <= max(values), net
         assert found == ((a, a), (c, c)) or (b - a) * (d - c) == mpq(1, 2**DEPTH)
     for net in ([[1, 2], [3, 4]], [[1, -1, 1], [1, -1, 1]]):
-        assert zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [PatchForm.of_net(net)], 0)) is None
+        assert zero_at_corners(Sized(SQUARE_OF_PARAMETERS, [PatchForm.of_net(net)])) is None
     for corner in range(4):
         values = [5, 1, 2, 3]
         values[corner] = 0
         place = mpq(corner // 2), mpq(corner % 2)
         box = (mpq(1), mpq(2)), (mpq(3), mpq(5))
-        (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])], 0))
+        (x, _), (y, _) = zero_at_corners(Sized(box, [PatchForm.of_net([values[:2], values[2:]])]))
         assert (x, y) == (box[0][int(place[0])], box[1][int(place[1])])

@@ -22,6 +22,7 @@ from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator
 from exactspline.numbers.intervals import Box, Interval, Side
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.search import Search
 from exactspline.one_line import one_line
 from exactspline.polynomials.patch_forms import PatchForm, Sized, rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
@@ -145,9 +146,8 @@ def verdict_on(
     parameters. None: neither is certain.
     """
     whole = tuple(form.part(Box(own, sides)) for form in forms)
-    sizes, todo = [sign * x for x in across.range], [(0, whole)]
-    while todo:
-        depth, (square, twice) = todo.pop()
+    sizes, search = [sign * x for x in across.range], Search([whole], depth_first=True)
+    for square, twice in search:
         low = square.range[0] if square.range[0] > 0 else fmpz(0)
         if low * min(sizes) >= max(sign * x * y for x in twice.range for y in along.range):
             continue
@@ -156,9 +156,9 @@ def verdict_on(
             min(square.corners[u::2]) * min(sizes) < max(sign * x * y for x in twice.corners[u::2] for y in along.range)
             for u in (0, 1)
         )
-        if fails or depth == DEPTH_OF_OTHER:
+        if fails or search.depth == DEPTH_OF_OTHER:
             break
-        todo += [(depth + 1, half) for half in zip(square.halves(1), twice.halves(1), strict=True)]
+        search.split([*zip(square.halves(1), twice.halves(1), strict=True)])
     else:
         return True
     (a, c), _ = over_one_denominator([sign * form.value(HALF, HALF) for form in (across, along)])
@@ -227,9 +227,8 @@ class _Search:
         """Sort the boxes with zeros of the function, and return how many comparisons with a segment remain."""
         if self.function.sign in (1, -1):
             return left - 1
-        todo, count = [Sized(self.sides, self.forms, 0)], len(self.feet[0].against) + 1
-        while todo:
-            part = todo.pop()
+        search, count = Search([Sized(self.sides, self.forms)], depth_first=True), len(self.feet[0].against) + 1
+        for part in search:
             function, *others = part.forms
             left -= 1
             if function.sign in (1, -1):
@@ -237,15 +236,14 @@ class _Search:
             left -= self.segments
             if any(map(_is_nearer, (others[:count], others[count:]))):
                 continue
-            verdict = self._verdict(part.box) if part.depth >= FIRST else None
+            verdict = self._verdict(part.box) if search.depth >= FIRST else None
             if verdict is False:
                 continue
             if verdict:
                 kept.append(part.box)
-            elif part.depth == DEPTH or left < 0:
-                undecided.append(part.box)
             else:
-                todo += _halves(part)
+                search.split(_halves(part, search.depth % 2) if search.depth < DEPTH and left >= 0 else None)
+        undecided += [part.box for part in search.open]
         return left
 
     def _verdict(self, box: Box) -> bool | None:
@@ -256,12 +254,11 @@ class _Search:
         return _of_all(foot.verdict(own) for foot, own in zip(self.feet, (box, turned), strict=True))
 
 
-def _halves(part: Sized) -> list[Sized]:
-    """The two halves of a box; a form that has a sign keeps it, and is left as it is."""
-    direction = part.depth % 2
+def _halves(part: Sized, direction: int) -> list[Sized]:
+    """The upper and the lower half of a box; a form that has a sign keeps it, and is left as it is."""
     pairs = [(form, form) if form.sign else form.halves(direction) for form in part.forms]
     forms = map(list, zip(*pairs, strict=True))
-    return [Sized(box, own, part.depth + 1) for box, own in zip(part.box.halves(direction), forms, strict=True)]
+    return [Sized(box, own) for box, own in zip(part.box.halves(direction), forms, strict=True)][::-1]
 
 
 def _is_nearer(forms: Sequence[PatchForm]) -> bool:

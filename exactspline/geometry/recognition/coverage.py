@@ -46,6 +46,7 @@ from exactspline.language.wronskians import wronskians
 from exactspline.numbers.exact import mpq, scalar, sign
 from exactspline.numbers.intervals import UNIT
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.search import Search
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved
 from exactspline.roots.values import sign_at
 from exactspline.roots.zero_set import zeros
@@ -308,14 +309,13 @@ class _Covering:
         """Whether the patches do not meet a half-plane. Each pair of forms gives a half-plane, on which the first form
         is positive and the second is 0; one pair suffices.
         """
-        todo, flat = list[Sized](), [f for pair in pairs for f in pair]
-        for patch in self.forms.patches:
-            todo.append(Sized(UNIT, [self._inside(f, patch) or f.patch_form(*patch) for f in flat], 0))
-        remaining = BOXES + len(todo)
-        while todo and remaining:
-            remaining -= 1
-            part = todo.pop()
+        flat, patches = [f for pair in pairs for f in pair], self.forms.patches
+        forms = ([self._inside(f, patch) or f.patch_form(*patch) for f in flat] for patch in patches)
+        search = Search(Sized(UNIT, own) for own in forms)
+        for part in search:
+            if search.seen > BOXES + len(patches):
+                return False
             ahead, across = ({f.sign for f in part.forms[k::2]} for k in (0, 1))
             if ahead != {-1} and across not in ({1}, {-1}):
-                todo += halved(part)
-        return not todo
+                search.split(halved(part))
+        return True

@@ -13,7 +13,6 @@ Aided Geometric Design 2006.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -34,6 +33,7 @@ from exactspline.geometry.surfaces.singular import SingularPoints
 from exactspline.geometry.surfaces.umbilics import UmbilicsOfPatch
 from exactspline.numbers.exact import mpq, over_one_denominator
 from exactspline.numbers.intervals import UNIT, Box
+from exactspline.numbers.search import Search
 from exactspline.one_line import OneLine, one_line
 from exactspline.polynomials.certified_boxes import Isolation, isolate
 from exactspline.polynomials.cost import PATCH, Budget, affords, drawing_on, height_bits
@@ -285,21 +285,17 @@ def bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
     """Boxes in which a form is monotonic in one direction, and boxes in which this is not proved; all zeros of the form
     are in these boxes.
     """
-    todo = deque([Sized(UNIT, [form], 0)])
-    boxes, remaining = list[Sized](), list[Box]()
+    search, boxes = Search([Sized(UNIT, [form])]), list[Sized]()
     cost = len(form.entries) * (HALVING + HALVING_BITS * (height_bits(form.entries) + DEPTH // 4 * sum(form.degree)))
-    while todo:
-        part = todo.popleft()
+    for part in search:
         own = part.forms[0]
         if own.sign is not None:
             continue
         if any(own.derivative(k).sign for k in (0, 1)):
             boxes.append(part)
-        elif part.depth < DEPTH and affords(cost):
-            todo.extend(halved(part))
         else:
-            remaining.append(part.box)
-    return boxes, remaining
+            search.split(halved(part) if search.depth < DEPTH and affords(cost) else None)
+    return boxes, [part.box for part in search.open]
 
 
 def winds_once(own: PatchForm, box: Box, signs: Callable[[mpq, mpq], Signs]) -> bool:
