@@ -24,6 +24,7 @@ from exactspline.numbers.exact import mpq, ratio, text, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval
 from exactspline.numbers.once import cached_property
+from exactspline.numbers.search import Search
 from exactspline.polynomials.bernstein import (
     ONE,
     ONE_PLUS_2Z,
@@ -87,17 +88,15 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     powers = sorted(factorize_square_free(polynomial.numer()).powers, key=itemgetter(1))
     multiple = [(fmpq_poly(f) / f.leading_coefficient(), e) for f, e in powers if e > 1]
     cells: list[Cell] = []
-    todo = [(low, high, 0)]
-    while todo:
-        a, b, depth = todo.pop()
+    search = Search([Interval(low, high)], depth_first=True)
+    for a, b in search:
         cell = _cell(polynomial, multiple, a, b)
         if cell is not None:
             cells.append(cell)
             continue
-        if depth == CELL_DEPTH:
+        if search.depth == CELL_DEPTH:
             raise DomainError("bisection does not terminate", where=f"[{text(a)}, {text(b)}]", remedy="report this")
-        middle = (a + b) / 2
-        todo += [(middle, b, depth + 1), (a, middle, depth + 1)]
+        search.split(Interval(a, b).halves)
     return cells
 
 

@@ -16,6 +16,7 @@ from exactspline.extras.coq.formulas import Formulas, comment
 from exactspline.language.formula import Formula
 from exactspline.numbers.exact import from_flint, mpq, to_fmpq
 from exactspline.numbers.intervals import Interval
+from exactspline.numbers.search import Search
 from exactspline.papers import find, papers
 from exactspline.polynomials.bezout import determinant
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -374,17 +375,15 @@ def _by_line(p: Rows, line: Rows, resultant: fmpq_poly, exponent: int) -> tuple[
 
 def _places(found: _Elimination, first: Interval, second: Interval) -> tuple[list[Cell], list[_BoxedPoint]]:
     """Cells of the resultant, so narrow that each of its zeros has a place, and these places."""
-    todo = [(cell, 0) for cell in reversed(cells_of(found.eliminant, *second))]
+    search = Search(cells_of(found.eliminant, *second), depth_first=True)
     cells, places = list[Cell](), list[_BoxedPoint]()
-    while todo:
-        cell, depth = todo.pop()
+    for cell in search:
         place = None
         if cell.one and (place := _place(found, first, Interval(cell.low, cell.high))) is None:
-            if depth == DEPTH:
+            if search.depth == DEPTH:
                 raise DomainError("the place of a zero is not decided", remedy=REMEDY)
-            middle = (cell.low + cell.high) / 2
-            halves = [c for a, b in ((cell.low, middle), (middle, cell.high)) for c in cells_of(found.eliminant, a, b)]
-            todo += [(half, depth + 1) for half in reversed(halves)]
+            halves = Interval(cell.low, cell.high).halves
+            search.split([c for a, b in halves for c in cells_of(found.eliminant, a, b)])
             continue
         cells.append(cell)
         places += _at_point(found, first, cell.low)

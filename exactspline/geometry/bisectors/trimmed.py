@@ -27,6 +27,7 @@ from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text
 from exactspline.numbers.intervals import UNIT, Box, Interval, Side, joined
+from exactspline.numbers.search import Search
 from exactspline.one_line import one_line, short_text
 from exactspline.papers import find
 from exactspline.polynomials import tensor_bernstein
@@ -278,23 +279,19 @@ def _possible_parts(families: Sequence[Sequence[fmpz_poly]], e: fmpz_poly, n: in
     [Interval(255/1024, 1)]
     """
     samples = [form for rows in families for form in (rows[0], _total(rows))]
-    todo = [(Interval(mpq(0), mpq(1)), 0, e, samples)]
-    possible: list[Interval] = []
-    while todo:
-        interval, depth, below, forms = todo.pop()
+    search, possible = Search([(UNIT.first, e, samples)], depth_first=True), list[Interval]()
+    for interval, below, forms in search:
         sign = _sign(below, n)
         signs = {_sign(form, n) for form in forms}
         # where e has a zero, forms of both signs exclude both sides of the zero
         if -sign in signs if sign else {1, -1} <= signs:
             continue
-        if depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
+        if search.depth == DEPTH or (sign and not any(_has_sign(form, -sign) for form in forms)):
             possible.append(interval)
             continue
         parts = [halves(form, n) for form in forms if not sign or _has_sign(form, -sign)]
-        left, right = halves(below, n)
-        first, second = interval.halves
-        todo.append((second, depth + 1, right, [part for _, part in parts]))
-        todo.append((first, depth + 1, left, [part for part, _ in parts]))
+        own = ([pair[k] for pair in parts] for k in (0, 1))
+        search.split([*zip(interval.halves, halves(below, n), own, strict=True)])
     return joined(possible)
 
 
@@ -334,15 +331,14 @@ def _keeps_sign(rows: Sequence[fmpz_poly], m: int, interval: Interval, sign: int
     >>> _keeps_sign([fmpz_poly([1, -1]), fmpz_poly([2, 1])], 1, Interval(mpq(0), mpq(1, 4)), 1)
     True
     """
-    todo = [(0, PatchForm.of_rows(rows, m).part(Box(interval, UNIT.second)))]
-    while todo:
-        depth, form = todo.pop()
+    search = Search([PatchForm.of_rows(rows, m).part(Box(interval, UNIT.second))], depth_first=True)
+    for form in search:
         low, high = form.range
         if (low if sign > 0 else -high) >= 0:
             continue
-        if depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in form.corners):
+        if search.depth == DEPTH_OF_BOTH or any(x * sign < 0 for x in form.corners):
             return False
-        todo += [(depth + 1, half) for half in form.halves(1 - depth % 2)]
+        search.split(form.halves(1 - search.depth % 2))
     return True
 
 

@@ -27,6 +27,7 @@ from exactspline.geometry.curves.facts import Facts, facts_of
 from exactspline.geometry.curves.kinds import JointKind
 from exactspline.numbers.exact import mpq, rational, text, to_fmpq
 from exactspline.numbers.intervals import Interval, ball_around, ball_ends
+from exactspline.numbers.search import Search
 from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.cost import check_reach
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
@@ -580,20 +581,19 @@ class _Rooted:
         """The integral of the speed: an interval near a zero is halved, and a short one is estimated. The error of a
         part is small compared with the integral over that part, or with the speed at two points of the whole interval.
         """
-        total, todo, quarter = arb(0), [(low, high, 0)], (high - low) / 4
+        total, search, quarter = arb(0), Search([(low, high)], depth_first=True), (high - low) / 4
         self.small = self.at(low + quarter).max(self.at(high - quarter)) * quarter * arb((1, -ctx.prec - SPARE))
-        while todo:
-            low, high, depth = todo.pop()
+        for left, right in search:
             self.budget.take(6 + len(self.zeros))
-            half, middle = (high - low) / 2, (low + high) / 2
-            axes, far = ([(abs(z - low) + abs(z - high)) / half / 2 for z, _ in x] for x in (self.zeros, self.poles))
+            half, middle = (right - left) / 2, (left + right) / 2
+            axes, far = ([(abs(z - left) + abs(z - right)) / half / 2 for z, _ in x] for x in (self.zeros, self.poles))
             axis = reduce(arb.min, [*axes, *((1 + a) / 2 for a in far)], arb(LARGEST)).lower()
             if 5 * axis > 6:
                 total += self._by_points(middle, half, axis, far)
-            elif depth > ctx.prec or self.at(low.union(high)) * half < self.small:
-                total += self.at(low.union(high)) * 2 * half
+            elif search.depth > ctx.prec or self.at(left.union(right)) * half < self.small:
+                total += self.at(left.union(right)) * 2 * half
             else:
-                todo += [(low, middle, depth + 1), (middle, high, depth + 1)]
+                search.split([(middle, right), (left, middle)])
         return total
 
     def _by_points(self, middle: arb, half: arb, axis: arb, far: Sequence[arb]) -> arb:

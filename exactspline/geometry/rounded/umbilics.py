@@ -25,7 +25,8 @@ from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
 from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, cutting
 from exactspline.numbers.exact import Number, mpq, scalar, to_fmpq
-from exactspline.numbers.intervals import Box, Interval, ball_around, ball_ends
+from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, ball_ends
+from exactspline.numbers.search import Search
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import clusters
 from exactspline.readings.taylor import DoubleSeries
@@ -193,26 +194,20 @@ class _Search:
 
     def found(self) -> Iterator[NearbyUmbilic]:
         """All umbilics, in the parameters of the surface."""
-        open_boxes = list(self._possible())
+        open_boxes = self._possible()
         for boxes, robust in ((self.settled.places, True), (open_boxes, False)):
             yield from (NearbyUmbilic(self.sides.part(box), robust) for box in boxes)
 
-    def _possible(self) -> Iterator[Box]:
+    def _possible(self) -> list[Box]:
         """Rectangles outside which there are only robust umbilics."""
-        unit = Interval(mpq(0), mpq(1))
-        level, done = [(Box(unit, unit), 0)], 0
-        while level:
-            after: list[tuple[Box, int]] = []
-            for box, depth in level:
-                done += 1
-                if self.settled.contains(box):
-                    continue
-                state = _State.LEFT if done > self.most or depth > NARROWEST else self._decided(box)
-                if state is _State.LEFT:
-                    yield box
-                elif state is _State.OPEN:
-                    after += [(half, depth + 1) for half in box.halves(depth % 2)]
-            level = after
+        search = Search([UNIT])
+        for box in search:
+            if not self.settled.contains(box):
+                allowed = search.seen <= self.most and search.depth <= NARROWEST
+                state = self._decided(box) if allowed else _State.LEFT
+                if state is not _State.SETTLED:
+                    search.split(box.halves(search.depth % 2) if state is _State.OPEN else None)
+        return search.open
 
     def _decided(self, box: Box) -> _State:
         """The state of a rectangle; an umbilic found to be robust is added to the settled ones."""
