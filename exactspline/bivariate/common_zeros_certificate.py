@@ -25,11 +25,12 @@ from exactspline.certificates import certificate as written
 from exactspline.certificates.common_zeros import CROSSED, EDGE, ELIMINATED, FIRST, POINT, SECOND
 from exactspline.certificates.zero_curves import ACROSS, BRANCHES, NODE, SIGN
 from exactspline.errors import ReachError
-from exactspline.numbers.exact import mpq, text, to_fmpq
+from exactspline.numbers.exact import mpq, scalar, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.search import Search
 from exactspline.polynomials.bernstein import ONE, from_integers
+from exactspline.polynomials.certified_boxes import mean_slopes
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import divided_out, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
@@ -296,10 +297,7 @@ def _of_two(row: Sequence[int], i: int, j: int, count: int) -> list[int]:
 
 
 def _combination(forms: Sequence[PatchForm], coefficients: Sequence[int]) -> PatchForm:
-    matrix = forms[0].matrix * coefficients[0]
-    for f, c in zip(forms[1:], coefficients[1:], strict=True):
-        matrix += f.matrix * c
-    return PatchForm(matrix)
+    return PatchForm(scalar([form.matrix for form in forms], coefficients))
 
 
 def _short(a: Any, b: Any, bits: int) -> list[int]:
@@ -341,9 +339,7 @@ def _candidates(forms: Sequence[PatchForm]) -> Iterator[list[int]]:
 
 def _preconditioning(f: PatchForm, g: PatchForm, bits: int) -> list[list[int]]:
     """The rows of the adjugate of the Jacobian, estimated from the corners."""
-    (a, b), (c, d) = (
-        (right + top - low - up, up + top - low - right) for low, up, right, top in (f.corners, g.corners)
-    )
+    (a, b), (c, d) = mean_slopes(f), mean_slopes(g)
     return [_short(d, -b, bits), _short(-c, a, bits)]
 
 

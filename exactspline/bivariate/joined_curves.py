@@ -103,22 +103,22 @@ class ZeroComponent:
         inner = {node for node, near in graph.items() if len(near) == 2 and node not in special}
         ends = [(node, way) for node, near in graph.items() if node not in inner for way in near]
         found = list[tuple[Spot | None, Spot | None, bool]]()
+
+        def followed(node: Hashable, way: _Way) -> tuple[Hashable, _Way]:
+            while node in inner:
+                inner.remove(node)
+                way = next(other for other in graph[node] if other is not way)
+                node = _other(way, node)
+            return node, way
+
         while ends:
             start, way = ends.pop(0)
-            node = _other(way, start)
-            while node in inner:
-                inner.remove(node)
-                way = next(other for other in graph[node] if other is not way)
-                node = _other(way, node)
-            ends.remove((node, way))
-            found.append((_place(start, special), _place(node, special), False))
+            end = followed(_other(way, start), way)
+            ends.remove(end)
+            found.append((_place(start, special), _place(end[0], special), False))
         while inner:
-            start = node = next(node for node in graph if node in inner)
-            way = graph[start][0]
-            while node in inner:
-                inner.remove(node)
-                way = next(other for other in graph[node] if other is not way)
-                node = _other(way, node)
+            start = next(node for node in graph if node in inner)
+            followed(start, graph[start][0])
             found.append((None, None, True))
         return found
 

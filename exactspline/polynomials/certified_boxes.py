@@ -218,7 +218,7 @@ def _dependence(forms: Sequence[PatchForm], at: tuple[int, int]) -> int:
     """How close two forms are to having parallel or small gradients, in bits. The number only selects the two forms
     that are tried.
     """
-    (a, b), (c, d) = (_slopes(forms[k]) for k in at)
+    (a, b), (c, d) = (mean_slopes(forms[k]) for k in at)
     determinant = a * d - b * c
     sizes = sum(max(map(abs, forms[k].range)).bit_length() for k in at)
     return int(sizes - determinant.bit_length()) if determinant else 2 * sizes
@@ -228,7 +228,7 @@ def preconditioned(first: PatchForm, second: PatchForm) -> Pair | None:
     """The pair multiplied by the adjugate of its Jacobian, estimated from the corners. Near a simple zero the two forms
     are approximately multiples of ``x − x₀`` and ``y − y₀``. None if the estimate is singular.
     """
-    (a, b), (c, d) = _slopes(first), _slopes(second)
+    (a, b), (c, d) = mean_slopes(first), mean_slopes(second)
     determinant = a * d - b * c
     if determinant == 0:
         return None
@@ -244,7 +244,12 @@ def _preconditioned_on(forms: Pair, region: Box, box: Box) -> Pair:
     return pair[0].part(local), pair[1].part(local)
 
 
-def _slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
+def mean_slopes(f: PatchForm) -> tuple[fmpz, fmpz]:
+    """Twice the mean derivatives in x and in y between the corners.
+
+    >>> mean_slopes(PatchForm.of_net([[0, 1], [3, 5]]))
+    (7, 3)
+    """
     low, up, right, top = f.corners
     return right + top - low - up, up + top - low - right
 
