@@ -363,11 +363,11 @@ def from_flint(value: flint.fmpq | flint.fmpz) -> mpq:
     return mpq(int(value.p), int(value.q)) if isinstance(value, flint.fmpq) else mpq(int(value))
 
 
-def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq) -> int:
-    """The sign, 1, −1 or 0, of an exact number of any library.
+def sign(value: mpq | mpz | int | flint.fmpz | flint.fmpq | flint.arb) -> int:
+    """The sign, 1, −1 or 0, of an exact number of any library, or of the numbers in a ball, 0 if it contains 0.
 
-    >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0)
-    (1, -1, 0)
+    >>> sign(mpq(1, 2)), sign(flint.fmpz(-3)), sign(0), sign(flint.arb(1, 2))
+    (1, -1, 0, 0)
     """
     return (value > 0) - (value < 0)
 

@@ -217,15 +217,6 @@ def ball_ends(ball: arb) -> Interval:
     return Interval(middle - radius, middle + radius)
 
 
-def sign_of_ball(ball: arb) -> int:
-    """The sign of the numbers in a ball; 0 if it contains 0.
-
-    >>> sign_of_ball(arb(-2)), sign_of_ball(arb(1, 2))
-    (-1, 0)
-    """
-    return (ball > 0) - (ball < 0)
-
-
 def _dyadic(mantissa: object, exponent: object) -> mpq:
     m, e = int(mantissa), int(exponent)  # type: ignore[call-overload]  # FLINT's integers
     return mpq(m << e) if e >= 0 else mpq(m, 1 << -e)

@@ -112,7 +112,7 @@ class PatchForm:
         """The form on a box, which may extend beyond the square; the constant depends only on box and degree."""
         if box == UNIT:
             return self
-        left, right = (_restriction(n, *side) for n, side in zip(self.degree, box, strict=True))
+        left, right = (restriction(n, *side)[0] for n, side in zip(self.degree, box, strict=True))
         return PatchForm(left * self.matrix * right.transpose())
 
     def value(self, x: mpq, y: mpq) -> mpq:
@@ -388,29 +388,33 @@ def _elevation(n: int, to: int) -> fmpz_mat:
 
 
 @lru_cache(maxsize=64)
-def _restriction(n: int, a: mpq, b: mpq) -> fmpz_mat:
-    """The matrix to Bernstein coefficients over [a, b], times the n-th power of the common denominator. Its entries are
-    blossoms at a and b.
+def restriction(n: int, a: mpq, b: mpq) -> tuple[fmpz_mat, fmpz]:
+    """The matrix to Bernstein coefficients over [a, b] and its denominator, the n-th power of that of a and b. Its
+    entries are blossoms at a and b.
+
+    >>> restriction(1, mpq(0), mpq(1, 2))
+    ([2, 0]
+    [1, 1], 2)
     """
-    if a == 0 and b == 1:
-        return _identity(n)
     m = lcm(a.denominator, b.denominator)
+    if a == 0 and b == 1:
+        return _identity(n), fmpz(1)
     at_a, at_b = (_powers(fmpz_poly([int(m - x), int(x)]), n) for x in (a * m, b * m))
     # the blossom at n − i times a and i times b: its weights are the coefficients of a product of two polynomials
-    return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)])
+    return fmpz_mat([_padded(at_a[n - i] * at_b[i], n) for i in range(n + 1)]), fmpz(int(m)) ** n
 
 
 @lru_cache(maxsize=64)
 def _quarters(n: int) -> fmpz_mat:
     """The matrix to Bernstein coefficients on all quarters, up to one constant."""
-    return fmpz_mat([row for k in range(4) for row in _restriction(n, mpq(k, 4), mpq(k + 1, 4)).table()])
+    return fmpz_mat([row for k in range(4) for row in restriction(n, mpq(k, 4), mpq(k + 1, 4))[0].table()])
 
 
 @lru_cache(maxsize=64)
 def _restriction_rounded(n: int, a: mpq, b: mpq, bits: int) -> fmpz_mat:
     """The weights with which coefficients over [a, b] are means, times ``2^bits`` and rounded down."""
-    bottom = fmpz(int(lcm(a.denominator, b.denominator))) ** n
-    return fmpz_mat(n + 1, n + 1, [(x << bits) // bottom for x in _restriction(n, a, b).entries()])
+    matrix, bottom = restriction(n, a, b)
+    return fmpz_mat(n + 1, n + 1, [(x << bits) // bottom for x in matrix.entries()])
 
 
 @lru_cache(maxsize=64)

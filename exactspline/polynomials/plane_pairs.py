@@ -18,7 +18,7 @@ from flint import arb, arb_mat, arb_poly, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpq
-from exactspline.numbers.intervals import sign_of_ball
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials import bezout
 from exactspline.polynomials.bernstein import backwards, substituted
@@ -244,7 +244,7 @@ class Elimination:
         bits = FIRST
         while bits <= SUSPICIOUS and place.exact is None:
             with ctx.workprec(4 * bits):
-                if sign := sign_of_ball(self._entry(entry, place.z(bits))):
+                if sign := sign_of(self._entry(entry, place.z(bits))):
                     return sign
             bits *= 2
         return 0

@@ -13,7 +13,7 @@ from flint import arb, arb_poly, ctx, fmpq, fmpz_poly
 
 from exactspline.numbers.exact import mpq, mpz, ratio, sign, to_fmpq
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import Interval, sign_of_ball
+from exactspline.numbers.intervals import Interval
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.isolation import Isolation, LocalPolynomial, LocalZero, Zero, end_signs
 
@@ -279,7 +279,7 @@ class Place:
             if low == high:
                 return sign_of(c[n]) if low == 1 else sign_at(c, low)
             with ctx.workprec(2 * bits):
-                if sign := sign_of_ball(arb_poly(c)(self.z(bits))):
+                if sign := sign_of(arb_poly(c)(self.z(bits))):
                     return sign
             if bits >= SUSPICIOUS and self._is_zero_of(c):
                 return 0

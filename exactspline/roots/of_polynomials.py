@@ -8,7 +8,8 @@ from flint import arb, ctx, fmpz_poly
 
 from exactspline.errors import ReachError
 from exactspline.numbers.exact import mpq, to_fmpz
-from exactspline.numbers.intervals import Interval, ball_around, sign_of_ball
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import Interval, ball_around
 from exactspline.polynomials.bernstein import ONE, of_parameter
 from exactspline.polynomials.cost import QUESTION, check_reach, height_bits
 from exactspline.polynomials.factors import factorize, factorize_square_free
@@ -72,7 +73,7 @@ def sign_of_number(enclosed: Callable[[int], arb]) -> int:
     digits = DIGITS
     while True:
         with ctx.workprec(8 * digits + 64):
-            if sign := sign_of_ball(enclosed(digits)):
+            if sign := sign_of(enclosed(digits)):
                 return sign
         digits *= 2
 

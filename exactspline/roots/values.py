@@ -13,7 +13,7 @@ from flint import arb, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
 from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
-from exactspline.numbers.intervals import Interval, Side, ball_around, ball_ends, sign_of_ball
+from exactspline.numbers.intervals import Interval, Side, ball_around, ball_ends
 from exactspline.numbers.once import fill
 from exactspline.polynomials import elimination
 from exactspline.polynomials.bernstein import over_common_denominator
@@ -234,7 +234,7 @@ def sign_at(f: BSpline, t: mpq | Real, side: Side | str = Side.RIGHT) -> int:
     place = exact_place(t)
     if not isinstance(place, Real):
         return sign(f(place, side))
-    signs = (sign_of_ball(ball) for _, ball in _balls(f, place))
+    signs = (sign(ball) for _, ball in _balls(f, place))
     first = next(signs)
     if not first and place.is_root_of(_segment_polynomial(f, segment_of(f, place))):
         return 0

@@ -19,9 +19,10 @@ from flint import arb, ctx
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family, sign_of
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family
 from exactspline.language.vector import Vector, cross
 from exactspline.numbers.exact import Number, mpq, scalar
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import Interval, ball_ends, joined
 from exactspline.numbers.once import cached_property
 from exactspline.questions.answers import Described

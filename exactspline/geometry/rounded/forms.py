@@ -16,13 +16,14 @@ from itertools import pairwise
 from math import comb
 from typing import Any
 
-from flint import arb, arb_mat, arb_poly, fmpz
+from flint import arb, arb_mat, arb_poly, fmpq, fmpz
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.curves.plane_programs import plane_program, space_program
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
+from exactspline.polynomials.patch_forms import restriction
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.control_points import Direction
 from exactspline.splines.nurbs import Nurbs
@@ -115,11 +116,6 @@ class Family:
         return _enclosed(self.rows)
 
     @cached_property
-    def differences(self) -> list[arb]:
-        """The differences of neighbouring ordinates, each as a ball."""
-        return _enclosed(self.rows * _difference_matrix(self.degree)) if self.degree else []
-
-    @cached_property
     def of_curve(self) -> list[arb]:
         """The ordinates of the form of the curve itself."""
         return [self.rows[0, k] for k in range(self.degree + 1)]
@@ -144,8 +140,8 @@ class Family:
         """
         if not self.degree:
             return 0
-        own = self.of_curve
-        if _common_sign([b - a for a, b in pairwise(own)]) and (sign := _common_sign(self.differences)):
+        own, differences = self.of_curve, self.rows * difference_matrix(self.degree)
+        if _common_sign([b - a for a, b in pairwise(own)]) and (sign := _common_sign(_enclosed(differences))):
             return sign
         derivatives = self.rows * _derivative_matrix(self.degree)
         middle = _bernstein(self.degree, mpq(1, 2))
@@ -174,10 +170,8 @@ class Family:
         low, high = mpq(0), mpq(1)
         for _ in range(CLOSE):
             middle = (low + high) / 2
-            t, row = arb(to_fmpq(middle)), self.of_curve
-            while len(row) > 1:
-                row = [a + (b - a) * t for a, b in pairwise(row)]
-            low, high = (middle, high) if row[0] * first > 0 else (low, middle)
+            (value,) = casteljau(self.of_curve, arb(to_fmpq(middle)))
+            low, high = (middle, high) if value * first > 0 else (low, middle)
         return low
 
     def values(self, t: mpq) -> list[arb]:
@@ -315,11 +309,6 @@ class Settled:
         return True
 
 
-def sign_of(x: arb) -> int:
-    """The sign of a ball, 0 where it contains zero."""
-    return 1 if x > 0 else -1 if x < 0 else 0
-
-
 def _common_sign(balls: Sequence[arb]) -> int:
     """The common sign of all numbers; 0 if there is none, or if there are no numbers."""
     return 1 if balls and all(x > 0 for x in balls) else -1 if balls and all(x < 0 for x in balls) else 0
@@ -354,35 +343,29 @@ def _best_factor(values: Sequence[float], slopes: Sequence[float]) -> float:
 @cache
 def _derivative_matrix(n: int) -> arb_mat:
     """The matrix that gives the ordinates of the derivative, of the same degree."""
-    rows = [[mpq(0)] * (n + 1) for _ in range(n + 1)]
-    for k in range(n + 1):
-        # the derivative has the ordinates n Δ; elevated, the k-th is their mean with the weights k and n − k
-        for j, weight in ((k - 1, k), (k, n - k)):
-            if weight:
-                rows[j][k] -= weight
-                rows[j + 1][k] += weight
-    return _matrix(rows)
+    # the derivative has the ordinates n Δ; elevated, the k-th is their mean with the weights k and n − k
+    weights = [{k - 1: -k, k: 2 * k - n, k + 1: n - k} for k in range(n + 1)]
+    return arb_mat([[column.get(j, 0) for column in weights] for j in range(n + 1)])
 
 
 @cache
-def _difference_matrix(n: int) -> arb_mat:
+def difference_matrix(n: int) -> arb_mat:
+    """The matrix that gives the differences of neighbouring ordinates."""
     return arb_mat(n + 1, n, [int(i == k + 1) - int(i == k) for i in range(n + 1) for k in range(n)])
 
 
 @lru_cache(256)
 def cutting(n: int, side: Interval) -> arb_mat:
-    """The matrix that gives the ordinates on an interval, from the blossom at copies of both ends."""
-    (low, high), rows = side, []
-    for i in range(n + 1):
-        row = [mpq(1)]
-        for t in (*[low] * (n - i), *[high] * i):
-            row = [(1 - t) * x + t * y for x, y in zip([*row, mpq(0)], [mpq(0), *row], strict=True)]
-        rows.append(row)
-    return _matrix(rows)
+    """The matrix that gives the ordinates on an interval."""
+    matrix, bottom = restriction(n, *side)
+    return arb_mat(n + 1, n + 1, [arb(fmpq(x, bottom)) for x in matrix.entries()])
 
 
-def _matrix(rows: Sequence[Sequence[mpq]]) -> arb_mat:
-    return arb_mat(len(rows), len(rows[0]), [arb(to_fmpq(x)) for row in rows for x in row])
+def casteljau(row: list[arb], t: arb, count: int = 1) -> list[arb]:
+    """The last ordinates, this many, of de Casteljau's algorithm."""
+    while len(row) > count:
+        row = [a + (b - a) * t for a, b in pairwise(row)]
+    return row
 
 
 def _bernstein(n: int, t: mpq) -> arb_mat:

@@ -20,8 +20,9 @@ from flint import arb, arb_mat, ctx
 
 from exactspline.errors import ShapeError
 from exactspline.geometry.pairs.intersections import IntersectionKind
-from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, cutting, sign_of
+from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Settled, casteljau, cutting
 from exactspline.numbers.exact import Number, mpq, scalar, to_fmpq
+from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, Interval, ball_ends
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.patch_forms import clusters
@@ -362,18 +363,11 @@ def _newton(a: _Part, b: _Part) -> tuple[tuple[mpq, mpq], list[Row]] | None:
 def _jet(rows: list[Row], t: mpq) -> tuple[Row, Row]:
     """The point and the velocity at a local parameter."""
     x = arb(to_fmpq(t))
-    last = [_towards(row, x) for row in rows]
+    last = [casteljau(row, x, 2) for row in rows]
     n = len(rows[0]) - 1
     *points, w = [(row[0] + (row[1] - row[0]) * x, (row[1] - row[0]) * n) for row in last]
     place = [p / w[0] for p, _ in points]
     return place, [(dp - y * w[1]) / w[0] for (_, dp), y in zip(points, place, strict=True)]
-
-
-def _towards(row: Row, x: arb) -> Row:
-    """The last two points of de Casteljau's algorithm."""
-    while len(row) > 2:
-        row = [a + (b - a) * x for a, b in pairwise(row)]
-    return row
 
 
 def _crosses(first: Sequence[_Part], second: Sequence[_Part]) -> bool:

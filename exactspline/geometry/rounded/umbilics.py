@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from functools import reduce
 from itertools import product
-from math import comb, factorial, perm, prod
+from math import factorial, prod
 from typing import Any, cast
 
 from flint import arb, arb_mat, ctx
@@ -23,7 +23,15 @@ from flint import arb, arb_mat, ctx
 from exactspline.errors import ShapeError
 from exactspline.formulas.surfaces.by_forms import line_uu_of_forms, line_uv_of_forms
 from exactspline.formulas.surfaces.lifted import area_squared_lifted, lifted_forms
-from exactspline.geometry.rounded.forms import INSERT, PRECISION, SMALLER, Settled, basis_ordinates, cutting
+from exactspline.geometry.rounded.forms import (
+    INSERT,
+    PRECISION,
+    SMALLER,
+    Settled,
+    basis_ordinates,
+    cutting,
+    difference_matrix,
+)
 from exactspline.numbers.exact import Number, mpq, scalar, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval, ball_around, ball_ends
 from exactspline.numbers.search import Search
@@ -162,14 +170,8 @@ def _derivatives(net: arb_mat) -> Iterator[tuple[tuple[int, int], arb_mat]]:
 
 def _differences(n: int, order: int) -> arb_mat:
     """The matrix of the derivative of an order of ordinates in the Bernstein basis."""
-    rows = [
-        [
-            (-1) ** (order - k + i) * comb(order, k - i) * perm(n, order) if 0 <= k - i <= order else 0
-            for k in range(n + 1)
-        ]
-        for i in range(n + 1 - order)
-    ]
-    return arb_mat(rows)
+    steps = [difference_matrix(n - k).transpose() * (n - k) for k in range(order)]
+    return reduce(lambda made, step: step * made, steps, arb_mat(n + 1, n + 1, 1))
 
 
 class _State(Enum):

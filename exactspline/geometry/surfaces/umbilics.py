@@ -23,7 +23,8 @@ from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.singular import FAR, NONE, SingularPoints, ZerosOfFactor, singular_points
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import UNIT, Box, ball_around, sign_of_ball
+from exactspline.numbers.exact import sign as sign_of
+from exactspline.numbers.intervals import UNIT, Box, ball_around
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, jacobian_sign, rounded
 from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
@@ -198,9 +199,7 @@ class _Search:
             with ctx.workprec(2 * bits + 64):
                 s, t = (ball_around(*side) for side in zero.refine(bits))
                 p, q, r, w = (enclosed(x, s, t) for x in cubic)
-                sign = sign_of_ball(
-                    q * r * (q * r + 18 * p * w) - 4 * (p * r * r * r + w * q * q * q) - 27 * p * w * p * w
-                )
+                sign = sign_of(q * r * (q * r + 18 * p * w) - 4 * (p * r * r * r + w * q * q * q) - 27 * p * w * p * w)
             if sign:
                 return UmbilicKind.MONSTAR if sign > 0 else UmbilicKind.LEMON
         return UmbilicKind.POSITIVE
