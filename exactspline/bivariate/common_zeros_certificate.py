@@ -18,7 +18,7 @@ from exactspline.bivariate.borders import EDGES
 from exactspline.bivariate.common_zeros import Column, CommonZero, Projection, projected
 from exactspline.bivariate.singular_points import Cell, Crossing, singular_cells
 from exactspline.bivariate.zero_curve import BOXES as BOXES_ON_PATCH
-from exactspline.bivariate.zero_curve import grid, is_small
+from exactspline.bivariate.zero_curve import grid, is_small, zeros_on_line
 from exactspline.bivariate.zero_lines import line_factor
 from exactspline.certificates import COMMON_ZEROS, ZERO_CURVES
 from exactspline.certificates import certificate as written
@@ -29,7 +29,6 @@ from exactspline.numbers.exact import mpq, scalar, text, to_fmpq
 from exactspline.numbers.intervals import UNIT, Box, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.search import Search
-from exactspline.polynomials.bernstein import ONE, from_integers
 from exactspline.polynomials.certified_boxes import mean_slopes
 from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import divided_out, factorize_square_free, greatest_common_divisor
@@ -41,8 +40,6 @@ from exactspline.roots.of_polynomials import Place, as_splines, enclosing
 from exactspline.roots.root import Root
 from exactspline.roots.vanishing import vanish_at
 from exactspline.roots.zero_set import ZeroSet, isolation_data, zeros
-from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import Mesh
 from exactspline.splines.tensor import TensorSpline
 
 #: The sizes of regions (bits) that are tried, and the largest number of boxes.
@@ -417,9 +414,7 @@ class _Subdivision:
         """The zeros on a line across the whole square."""
         key = direction, at
         if key not in self.lines:
-            edge = self.form.on_line(direction, at)
-            spline = BSpline.from_forms(len(edge) - 1, Mesh([mpq(0), mpq(1)]), (), [(from_integers(edge), ONE)])
-            self.lines[key] = zeros(spline)
+            self.lines[key] = zeros_on_line(self.form, direction, at)
             self.places[key] = [_place(root, 1) for root in self.lines[key].roots]
         return self.lines[key]
 
@@ -435,7 +430,7 @@ class _Subdivision:
             if own.sign is not None:
                 yield SIGN
                 continue
-            direction = next((k for k in (0, 1) if own.derivative(k).sign), None)
+            direction = own.monotonic
             if direction is not None:
                 yield ACROSS[direction]
                 self._graph(part.box, direction)

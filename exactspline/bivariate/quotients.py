@@ -29,8 +29,19 @@ from exactspline.polynomials.certified_boxes import only_zero_in
 from exactspline.polynomials.cost import drawing_on
 from exactspline.polynomials.factors import factorize, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
-from exactspline.polynomials.patch_forms import PatchForm, jets, not_positive_part, powers_of
-from exactspline.polynomials.two_parameters import CONTEXT, S, T, as_form, as_polynomial, at, enclosed, in_one, rows_of
+from exactspline.polynomials.patch_forms import PatchForm, jets, not_positive_part
+from exactspline.polynomials.two_parameters import (
+    CONTEXT,
+    S,
+    T,
+    as_form,
+    as_polynomial,
+    at,
+    enclosed,
+    in_one,
+    polynomial_of,
+    rows_of,
+)
 from exactspline.polynomials.zero_places import FIRST
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, between
@@ -248,9 +259,7 @@ def polynomials_on(patch: Patch, *functions: TensorSpline) -> list[fmpz_mpoly]:
     """Functions on a patch as polynomials in its local parameters, up to one positive constant."""
     nets = [f.bezier_net(*patch) if min(f.degree) >= 0 else [[mpq(0)]] for f in functions]
     scale = lcm(*[x.denominator for net in nets for row in net for x in row])
-    forms = [PatchForm.of_net([[int(x * scale) for x in row] for row in net]) for net in nets]
-    rows = [enumerate(powers_of(form)) for form in forms]
-    return [CONTEXT.from_dict({(i, j): x for i, row in own for j, x in enumerate(row) if x}) for own in rows]
+    return [polynomial_of(PatchForm.of_net([[int(x * scale) for x in row] for row in net])) for net in nets]
 
 
 def keep_least(found: list[tuple[Real, V]], digits: int) -> None:

@@ -33,7 +33,7 @@ from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halv
 from exactspline.reals.real import between
 from exactspline.roots.of_polynomials import Place
 from exactspline.roots.root import Root
-from exactspline.roots.zero_set import zeros
+from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
 
@@ -204,7 +204,7 @@ class ZeroCurve(OneLine):
                 search.split(halved(part))
                 continue
             boxes += 1
-            direction = next((k for k in (0, 1) if own.is_monotonic(k)), None)
+            direction = own.monotonic
             on_a_line = direction is not None and self._vanishes_around(part.box)
             if direction is not None and not on_a_line:
                 self._graph(part.box, direction)
@@ -262,9 +262,7 @@ class ZeroCurve(OneLine):
         """The zeros on a line across the whole square, in order."""
         key = direction, value
         if key not in self._lines:
-            edge = self._along(direction, value)
-            spline = BSpline.from_forms(len(edge) - 1, Mesh([mpq(0), mpq(1)]), (), [(from_integers(edge), ONE)])
-            self._lines[key] = [*zeros(spline)]
+            self._lines[key] = [*zeros_on_line(self.form, direction, value)]
         return self._lines[key]
 
     def _zeros_on(self, direction: int, value: mpq, side: Interval) -> Iterator[tuple[Vertex, mpq | Root]]:
@@ -391,6 +389,12 @@ class _Joined:
     def join(self, one: Vertex, other: Vertex) -> None:
         """Join the sets of two vertices."""
         self.parents[self.root(one)] = self.root(other)
+
+
+def zeros_on_line(form: PatchForm, direction: int, value: mpq) -> ZeroSet:
+    """The zeros of a form on a line across the whole square."""
+    edge = form.on_line(direction, value)
+    return zeros(BSpline.from_forms(len(edge) - 1, Mesh([mpq(0), mpq(1)]), (), [(from_integers(edge), ONE)]))
 
 
 def grid(form: PatchForm, cells: Sequence[Box]) -> Iterator[Box]:

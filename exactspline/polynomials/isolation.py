@@ -100,31 +100,30 @@ def cells_of(polynomial: fmpq_poly, low: mpq, high: mpq) -> list[Cell]:
     return cells
 
 
-def bernstein_signs(polynomial: fmpq_poly, low: mpq, high: mpq) -> tuple[bool, bool]:
-    """Whether no Bernstein coefficient on an interval is negative, and whether none is positive."""
+def one_sign(polynomial: fmpq_poly, low: mpq, high: mpq) -> bool | None:
+    """The sign in the interior of an interval, if it follows from the Bernstein coefficients, else None.
+
+    >>> [one_sign(fmpq_poly([-1, 2]), mpq(k, 2), mpq(k + 1, 2)) for k in (0, 1)], one_sign(fmpq_poly(), mpq(0), mpq(1))
+    ([False, True], None)
+    """
     n = polynomial.degree()
-    c = of_parameter(polynomial.numer(), n, low, high) if n >= 0 else fmpz_poly()
-    return all(x >= 0 for x in c.coeffs()), all(x <= 0 for x in c.coeffs())
+    coefficients = of_parameter(polynomial.numer(), n, low, high).coeffs() if n >= 0 else []
+    signs = {x > 0 for x in coefficients if x}
+    return signs.pop() if len(signs) == 1 else None
 
 
 def _cell(f: fmpq_poly, multiple: list[tuple[fmpq_poly, int]], a: mpq, b: mpq) -> Cell | None:
-    if (sign := _one_sign(f, a, b)) is not None:
+    if (sign := one_sign(f, a, b)) is not None:
         return Cell(a, b, sign)
     if (sign := _one_zero(f, a, b)) is not None:
         return Cell(a, b, sign, one=True)
     for g, power in multiple:
         if (sign := _one_zero(g, a, b)) is not None:
             rest = f // g**power
-            rest_sign = _one_sign(rest, a, b)
+            rest_sign = one_sign(rest, a, b)
             if rest_sign is not None and _at(rest, a) and _at(rest, b):
                 return Cell(a, b, sign, one=True, factor=g, power=power, rest=rest, rest_sign=rest_sign)
     return None
-
-
-def _one_sign(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
-    """The sign in the interior, if it follows from the Bernstein coefficients, else None."""
-    not_negative, not_positive = bernstein_signs(f, a, b)
-    return None if not_negative == not_positive else not_negative
 
 
 def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
@@ -134,7 +133,7 @@ def _one_zero(f: fmpq_poly, a: mpq, b: mpq) -> bool | None:
     at_low, at_high = _at(f, a), _at(f, b)
     if at_low == 0 or at_high == 0 or (at_low > 0) == (at_high > 0):
         return None
-    rising = _one_sign(f.derivative(), a, b)
+    rising = one_sign(f.derivative(), a, b)
     return None if rising is None or rising == bool(at_low > 0) else bool(at_low > 0)
 
 

@@ -147,10 +147,12 @@ class PatchForm:
         differences = self._differences(direction)
         return n * min(differences), n * max(differences)
 
-    def is_monotonic(self, direction: int) -> bool:
-        """Whether the coefficients prove that the derivative has no zero on the closed square."""
-        low, high = self.slopes(direction)
-        return bool(low > 0 or high < 0)
+    @property
+    def monotonic(self) -> int | None:
+        """The first direction in which the coefficients prove that the derivative has no zero on the closed square, or
+        None.
+        """
+        return next((k for k, (low, high) in enumerate(map(self.slopes, (0, 1))) if low > 0 or high < 0), None)
 
     def _differences(self, direction: int) -> list[fmpz]:
         """The differences of neighbouring coefficients, row by row."""

@@ -20,7 +20,7 @@ from exactspline.numbers.search import Search
 from exactspline.papers import find, papers
 from exactspline.polynomials.bezout import determinant
 from exactspline.polynomials.cost import Budget, drawing_on
-from exactspline.polynomials.isolation import Cell, bernstein_signs, cells_of
+from exactspline.polynomials.isolation import Cell, cells_of, one_sign
 from exactspline.splines.bspline import in_powers
 from exactspline.splines.control_points import lifted
 from exactspline.splines.nurbs import Nurbs
@@ -405,12 +405,12 @@ def _at_point(found: _Elimination, first: Interval, t: mpq) -> list[_BoxedPoint]
 
 def _place(found: _Elimination, first: Interval, second: Interval) -> _BoxedPoint | None:
     """The place of the zero in an interval, if forms have one sign there."""
-    sign = _sign(found.slope, second)
+    sign = one_sign(found.slope, *second)
     if sign is None:
         return None
-    if _sign(_line_at(found, first.low), second) == sign:
+    if one_sign(_line_at(found, first.low), *second) == sign:
         return _BoxedPoint(second, None, sign)
-    if _sign(_line_at(found, first.high), second) == (not sign):
+    if one_sign(_line_at(found, first.high), *second) == (not sign):
         return _BoxedPoint(second, None, sign, above=True)
     t = to_fmpq(second.middle)
     if not found.slope(t):
@@ -418,18 +418,12 @@ def _place(found: _Elimination, first: Interval, second: Interval) -> _BoxedPoin
     middle, width = from_flint(-found.offset(t) / found.slope(t)), first.width / (1 << WIDTH)
     middle = first.low + (middle - first.low) / width // 1 * width
     box = Interval(max(first.low, middle - width), min(first.high, middle + 2 * width))
-    signs = [_sign(_line_at(found, s), second) for s in box]
+    signs = [one_sign(_line_at(found, s), *second) for s in box]
     return _BoxedPoint(second, box, sign) if box.low < box.high and signs == [not sign, sign] else None
 
 
 def _line_at(found: _Elimination, s: mpq) -> fmpq_poly:
     return found.slope * to_fmpq(s) + found.offset
-
-
-def _sign(f: fmpq_poly, side: Interval) -> bool | None:
-    """The sign inside an interval, if it follows from the Bernstein coefficients."""
-    not_negative, not_positive = bernstein_signs(f, *side)
-    return None if not_negative == not_positive else not_negative
 
 
 # ---- text

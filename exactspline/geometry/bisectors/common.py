@@ -9,8 +9,8 @@ from typing import Any
 from exactspline.errors import ShapeError, counted
 from exactspline.hooks import Written
 from exactspline.language.vector import Vector
-from exactspline.numbers.exact import mpq
-from exactspline.one_line import one_line
+from exactspline.numbers.exact import Number, mpq, rational
+from exactspline.one_line import one_line, short_text
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import between
 from exactspline.roots.of_polynomials import Parameter
@@ -52,6 +52,18 @@ AROUND = "the curve is an arc here of a circle through the point, and all its no
 def is_zero_on(v: Vector[BSpline], at: int) -> bool:
     """Whether a vector of splines vanishes on all of the segment or patch with this number."""
     return not any(x.numerators[at] for x in v)
+
+
+def within(parameter: Number, low: Parameter, high: Parameter) -> mpq:
+    """The parameter of a point of a piece; raises `ShapeError` outside the piece.
+
+    >>> within("1/2", mpq(0), mpq(1))
+    mpq(1,2)
+    """
+    t = rational(parameter)
+    if not low <= t <= high:
+        raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
+    return t
 
 
 def parts_where(

@@ -11,12 +11,13 @@ from typing import Any, TypeVar
 from flint import arb, fmpz_mpoly
 
 from exactspline.errors import ShapeError
+from exactspline.geometry.bisectors.common import within
 from exactspline.geometry.bisectors.lines import ALL, Conditions, Flat, RootLines, enclosed_flat, flat_at
 from exactspline.geometry.bisectors.system import System
 from exactspline.language.rational import Rational
 from exactspline.numbers.exact import Number, mpq, rational
 from exactspline.numbers.intervals import Box
-from exactspline.one_line import OneLine, short_text
+from exactspline.one_line import OneLine
 from exactspline.polynomials.two_parameters import CONTEXT, S, T, at
 from exactspline.roots.of_polynomials import Parameter, exactly, roots_in
 from exactspline.roots.root import Root
@@ -132,7 +133,7 @@ class LinePiece(OneLine):
 
     def pair(self, parameter: Number) -> tuple[Parameter | None, Parameter | None]:
         """The pair of parameters for a parameter of the piece."""
-        u = self._inside(parameter)
+        u = within(parameter, self.low, self.high)
         other = self.other.number(u) if isinstance(self.other, Rational) else self.other
         return (u, other) if self.of == 0 else (other, u)
 
@@ -140,13 +141,7 @@ class LinePiece(OneLine):
         """A point of a line; raises `ShapeError` outside the piece, `ZeroDivisionError` where the line is at
         infinity.
         """
-        return self.surface.at(rational(ruling)).point(self._inside(parameter))
-
-    def _inside(self, parameter: Number) -> mpq:
-        u = rational(parameter)
-        if not self.low <= u <= self.high:
-            raise ShapeError(f"{short_text(u)} is outside this piece", remedy="stay between low and high")
-        return u
+        return self.surface.at(rational(ruling)).point(within(parameter, self.low, self.high))
 
     @property
     def poles(self) -> list[Root]:

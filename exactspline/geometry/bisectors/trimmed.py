@@ -18,14 +18,14 @@ from typing import Any
 from flint import fmpz_mpoly, fmpz_poly
 
 from exactspline.errors import ReachError, ShapeError
-from exactspline.geometry.bisectors.common import AROUND, STILL, THROUGH, Bisector, parts_where
+from exactspline.geometry.bisectors.common import AROUND, STILL, THROUGH, Bisector, parts_where, within
 from exactspline.geometry.bisectors.point_and_curve import exact_point
 from exactspline.geometry.curves.facts import facts_of
 from exactspline.geometry.curves.kinds import FeatureKind, JointKind
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector, norm2, perp
-from exactspline.numbers.exact import Number, mpq, over_one_denominator, rational, text
+from exactspline.numbers.exact import Number, mpq, over_one_denominator, text
 from exactspline.numbers.intervals import UNIT, Box, Interval, Side, joined
 from exactspline.numbers.search import Search
 from exactspline.one_line import one_line, short_text
@@ -374,10 +374,7 @@ class TrimmedPiece:
         """The point at a parameter of the piece; raises `ShapeError` outside the piece, `ZeroDivisionError` at an end
         at infinity.
         """
-        t = rational(t)
-        if not self.low <= t <= self.high:
-            raise ShapeError(f"{short_text(t)} is outside this piece", remedy="stay between low and high")
-        return self.value.point(t)
+        return self.value.point(within(t, self.low, self.high))
 
     @property
     def described(self) -> NamedNumbers:

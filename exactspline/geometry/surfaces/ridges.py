@@ -13,7 +13,7 @@ Aided Geometric Design 2006.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
@@ -23,6 +23,7 @@ from flint import fmpz_mpoly
 from exactspline.bivariate.borders import EDGES, Edge, Patch, along, roots_along, vanishes_at
 from exactspline.bivariate.common_zeros import CommonZero
 from exactspline.bivariate.joined_curves import Piece, ZeroComponent, chained, place_of
+from exactspline.bivariate.quotients import polynomials_on
 from exactspline.bivariate.singular_points import Cell, Crossing, kind_on
 from exactspline.bivariate.zero_curve import Begun, Shape, ZeroCurve
 from exactspline.bivariate.zero_lines import LinesOfPatch, ZeroLine, square_free, without_lines, zero_lines
@@ -31,7 +32,7 @@ from exactspline.errors import ReachError
 from exactspline.geometry.surfaces.forms import Reduced, SurfaceForms, on_patch, sides_of
 from exactspline.geometry.surfaces.singular import SingularPoints
 from exactspline.geometry.surfaces.umbilics import UmbilicsOfPatch
-from exactspline.numbers.exact import mpq, over_one_denominator
+from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import UNIT, Box
 from exactspline.numbers.search import Search
 from exactspline.one_line import OneLine, one_line
@@ -39,11 +40,10 @@ from exactspline.polynomials.certified_boxes import Isolation, isolate
 from exactspline.polynomials.cost import PATCH, Budget, affords, drawing_on, height_bits
 from exactspline.polynomials.factors import greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, Sized, clusters, halved
-from exactspline.polynomials.two_parameters import as_form, as_polynomial, polynomial_of
+from exactspline.polynomials.two_parameters import as_form, as_polynomial
 from exactspline.reals.real import Real, between, real, square_root
 from exactspline.roots.of_polynomials import Parameter
 from exactspline.splines.surface import Along
-from exactspline.splines.tensor import TensorSpline
 
 #: The product of the degrees of a form up to which all singular points of its zeros are searched for.
 FEW = 64
@@ -135,7 +135,8 @@ class RidgeSearch:
         """The ridges; raises `ReachError` if none can be computed within the limit of work."""
         own, stationary = on_patch(self.forms.ridges, self.patch), 0
         if own is None:
-            other = other_family(self._polynomials(self.forms.lines), self._polynomials(self.forms.ridge_cubic))
+            quadratic, cubic = (polynomials_on(self.patch, *f) for f in (self.forms.lines, self.forms.ridge_cubic))
+            other = other_family(quadratic, cubic)
             if other is None:
                 return _RidgesOfPatch(self.patch, self.sides, 2)
             whole, stationary = as_form(other), 1
@@ -159,13 +160,6 @@ class RidgeSearch:
         if place.is_inside:
             return not any(own and place.zero.is_zero_of(own.form) for own in given)
         return not any(own and vanishes_at(own.whole, place.spot, self.sides) for own in given)
-
-    def _polynomials(self, splines: Iterable[TensorSpline]) -> list[fmpz_mpoly]:
-        """Splines on the patch as polynomials with one common factor."""
-        nets = [f.bezier_net(*self.patch) if min(f.degree) >= 0 else [[mpq(0)]] for f in splines]
-        integers = iter(over_one_denominator([x for net in nets for row in net for x in row])[0])
-        forms = [PatchForm.of_net([[next(integers) for _ in row] for row in net]) for net in nets]
-        return [polynomial_of(f) for f in forms]
 
     def _described(self, box: Box) -> OpenRidges:
         umbilics = sum(one.place.box().meets(box) for one in self.umbilics.umbilics)
@@ -291,7 +285,7 @@ def bisected(form: PatchForm) -> tuple[list[Sized], list[Box]]:
         own = part.forms[0]
         if own.sign is not None:
             continue
-        if any(own.derivative(k).sign for k in (0, 1)):
+        if own.monotonic is not None:
             boxes.append(part)
         else:
             search.split(halved(part) if search.depth < DEPTH and affords(cost) else None)
