@@ -34,7 +34,7 @@ from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import factorize, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot, by_powers
 from exactspline.polynomials.patch_forms import PatchForm, rounded
-from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, rows_of
+from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, jacobian, lifted, rows_of
 from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in, sign_of_number
@@ -398,8 +398,7 @@ def multiplicity(zero: CommonZero, f: fmpz_mpoly, g: fmpz_mpoly) -> int:
     >>> [multiplicity(zero, f, g) for zero in common_zeros([f, g], UNIT)]
     [3, 1]
     """
-    jacobian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
-    return projected(zero, f, g).multiplicity if vanish_at([jacobian], *zero.place) else 1
+    return projected(zero, f, g).multiplicity if vanish_at([jacobian(f, g)], *zero.place) else 1
 
 
 class Projection(NamedTuple):

@@ -34,7 +34,16 @@ from exactspline.polynomials.elimination import resultant
 from exactspline.polynomials.factors import divided_out, factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.over_root import OverRoot
 from exactspline.polynomials.patch_forms import PatchForm, Sized, halved, jacobian_sign
-from exactspline.polynomials.two_parameters import S, T, as_form, as_polynomial, lifted, polynomial_of, rows_of
+from exactspline.polynomials.two_parameters import (
+    S,
+    T,
+    as_form,
+    as_polynomial,
+    jacobian,
+    lifted,
+    polynomial_of,
+    rows_of,
+)
 from exactspline.reals.real import real
 from exactspline.roots.of_polynomials import Place, as_splines, enclosing
 from exactspline.roots.root import Root
@@ -123,9 +132,8 @@ class _ZeroOnPatch:
             return None
         polynomials = self.polynomials
         for i, j in combinations(range(len(self.forms)), 2):
-            (a, b), (c, d) = ([polynomials[k].derivative(at) for at in (0, 1)] for k in (i, j))
-            jacobian = a * d - b * c
-            if jacobian and not vanish_at([jacobian], *self.local.place):
+            determinant = jacobian(polynomials[i], polynomials[j])
+            if determinant and not vanish_at([determinant], *self.local.place):
                 return i, j
         return None
 

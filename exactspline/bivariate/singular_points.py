@@ -27,7 +27,7 @@ from exactspline.polynomials.cost import bounded
 from exactspline.polynomials.elimination import discriminant
 from exactspline.polynomials.factors import factorize_square_free, greatest_common_divisor
 from exactspline.polynomials.patch_forms import PatchForm, rounded
-from exactspline.polynomials.two_parameters import S, as_polynomial, at, enclosed, over, rows_of
+from exactspline.polynomials.two_parameters import S, as_polynomial, at, enclosed, jacobian, over, rows_of
 from exactspline.reals.real import Real, real
 from exactspline.roots.of_polynomials import Parameter, Place, ball, enclosing, exactly, roots_in, sign_of_number
 from exactspline.roots.vanishing import vanish_at
@@ -295,7 +295,7 @@ def _order(zero: elimination.CommonZero, derivatives: Sequence[fmpz_mpoly]) -> i
 
 def _double(zero: elimination.CommonZero, slopes: Sequence[fmpz_mpoly], single: bool) -> tuple[PointKind, int, int]:
     f, g = slopes
-    hessian = f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
+    hessian = jacobian(f, g)
     if hessian and not vanish_at([hessian], *zero.place):
         return (PointKind.NODE if sign_at_point(hessian, zero) == -1 else PointKind.ISOLATED), 2, 1
     # a common factor of the derivatives is not zero here, since the function is square-free

@@ -84,6 +84,15 @@ def _norm_bits(p: fmpz_poly) -> int:
     return (sum(int(x) ** 2 for x in p.coeffs()).bit_length() + 1) // 2
 
 
+def jacobian(f: fmpz_mpoly, g: fmpz_mpoly) -> fmpz_mpoly:
+    """The Jacobian determinant of two polynomials.
+
+    >>> jacobian(S * T, S + T)
+    -s + t
+    """
+    return f.derivative(0) * g.derivative(1) - f.derivative(1) * g.derivative(0)
+
+
 def polynomial_of(form: PatchForm) -> fmpz_mpoly:
     """The form as a polynomial in both parameters."""
     return CONTEXT.from_dict({(i, j): x for i, row in enumerate(powers_of(form)) for j, x in enumerate(row) if x})

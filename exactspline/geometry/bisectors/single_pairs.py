@@ -12,6 +12,7 @@ from exactspline.bivariate.common_zeros import common_zeros
 from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.components import Cause, SinglePair, Solutions, SpecialPairs
 from exactspline.geometry.bisectors.system import System, vanish_together
+from exactspline.numbers.exact import scalar
 from exactspline.numbers.intervals import Box
 from exactspline.one_line import short_text
 from exactspline.polynomials.factors import greatest_common_divisor
@@ -115,7 +116,7 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
     conditions = [p for p in (determinant, *numerators) if p]
     if any(p.total_degree() == 0 for p in conditions):
         return [], ()
-    combined = next((p for u in COMBINATIONS if _are_coprime(determinant, p := _combined(numerators, u))), None)
+    combined = next((p for u in COMBINATIONS if _are_coprime(determinant, p := scalar(numerators, u))), None)
     pair = conditions if combined is None else [determinant, combined]
     singular, open_parts = _decided(pair, system.sides, conditions)
     places, undecided = [], list(open_parts)
@@ -129,13 +130,6 @@ def _dependent(system: System, factors: list[fmpz_mpoly], meetings: list[Place])
         elif rank is None:
             undecided.append(f"the rank of the system at {brief(place)}")
     return places, tuple(undecided)
-
-
-def _combined(components: Sequence[fmpz_mpoly], u: tuple[int, ...]) -> fmpz_mpoly:
-    total = components[0] * u[0]
-    for p, k in zip(components[1:], u[1:], strict=True):
-        total += p * k
-    return total
 
 
 def _are_coprime(p: fmpz_mpoly, q: fmpz_mpoly) -> bool:

@@ -34,11 +34,9 @@ from exactspline.numbers.exact import mpq, text
 from exactspline.numbers.intervals import Side
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Extreme, RationalNumber, Real, between, real, square_root
-from exactspline.roots.answers import CurvePiece
 from exactspline.roots.values import exact_place, sign_at, signed_root, value_at
 from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
-from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 
@@ -197,18 +195,12 @@ def largest(facts: Facts, sizes: Mapping[int, _Size]) -> tuple[NamedNumbers, ...
     hits = [(i, t) for (i, t, _), x in zip(found, values, strict=True) if x == best]
     what, value = f"largest {size.name}", {size.name: square_root(best) if size.squared else best}
     constant = {i for i, _ in hits if forms[i].slope.is_zero}
-    pieces = _pieces(facts, constant)
+    holds = [i in constant for i in range(len(facts.breaks) - 1)]
+    pieces = facts.pieces_where(holds, [facts.closed, *[True] * (len(holds) - 1)])
     ends = [_once(facts, t) for x in pieces for t in (x.start, x.end)]
     points = [(i, t) for i, t in hits if i not in constant and _once(facts, t) not in ends]
     on_pieces = [NamedNumbers(f"{what} on a piece", value | _ends(real(x.start), real(x.end))) for x in pieces]
     return (*_at_points(facts, what, points, value), *on_pieces)
-
-
-def _pieces(facts: Facts, among: set[int]) -> list[CurvePiece]:
-    """The maximal pieces made of these segments."""
-    holds = [i in among for i in range(len(facts.breaks) - 1)]
-    found = runs(holds, [facts.closed, *[True] * (len(holds) - 1)])
-    return [CurvePiece(intervals_of(facts.breaks, *run)) for run in found]
 
 
 def _ends(start: Real, end: Real) -> dict[str, Real]:

@@ -505,7 +505,7 @@ class Facts(Remembers):
                 return False
             return self._tangents(i - 1, i) is None and self._joint(i).same_curvature
 
-        return self._pieces(holds, [joined(i) for i in range(len(holds))])
+        return self.pieces_where(holds, [joined(i) for i in range(len(holds))])
 
     def straight_runs(self, straight: Set[int]) -> tuple[CurvePiece, ...]:
         """The straight pieces of the curve, given its straight segments, on which γ′ ≠ 0."""
@@ -514,9 +514,9 @@ class Facts(Remembers):
         def joined(i: int) -> bool:
             return holds[i - 1] and holds[i] and (i > 0 or self.closed) and self.tangent_continuous(i)
 
-        return tuple(self._pieces(holds, [joined(i) for i in range(len(holds))]))
+        return tuple(self.pieces_where(holds, [joined(i) for i in range(len(holds))]))
 
-    def _pieces(self, holds: Sequence[bool], joined: Sequence[bool]) -> list[CurvePiece]:
+    def pieces_where(self, holds: Sequence[bool], joined: Sequence[bool]) -> list[CurvePiece]:
         """The maximal pieces made of segments on which something holds (see `runs`)."""
         return [CurvePiece(intervals_of(self.breaks, *run)) for run in runs(holds, joined)]
 
@@ -526,7 +526,7 @@ class Facts(Remembers):
         if not any(self.standing):
             return ()
         joined = [joint.kind is JointKind.STILL for joint in self.joints]
-        return tuple(self._pieces(self.standing, joined if self.closed else [False, *joined]))
+        return tuple(self.pieces_where(self.standing, joined if self.closed else [False, *joined]))
 
     def check_dimension(self) -> None:
         """Raise `ShapeError` for a curve that is neither in the plane nor in space."""

@@ -23,7 +23,7 @@ from exactspline.bivariate.quotients import BOUND, TIED, MonotoneArc, Quotient, 
 from exactspline.errors import ReachError, counted
 from exactspline.geometry.curves.planarity import check_in_one_space, in_one_plane
 from exactspline.geometry.pairs.box_tree import IntegerBox, segments_of, shift_for
-from exactspline.geometry.pairs.intersections import Intersections, Overlap, intersections
+from exactspline.geometry.pairs.intersections import Intersections, Overlap, from_seam, intersections
 from exactspline.geometry.pairs.nearest import nearest
 from exactspline.hooks import Written
 from exactspline.numbers.exact import mpq
@@ -131,13 +131,8 @@ def nearest_pairs(first: Nurbs, second: Nurbs, meeting: Intersections) -> Distan
 
 def _ends(arc: Overlap, squared: Real, curves: tuple[Nurbs, Nurbs]) -> list[ClosestPair]:
     """The pairs at the ends of an arc."""
-    sides = [[_at_seam(t, curve) for t in ends] for curve, ends in zip(curves, (arc.first, arc.second), strict=True)]
-    return [ClosestPair(s, t, squared) for s, t in zip(*sides, strict=True)]
-
-
-def _at_seam(t: Real, curve: Nurbs) -> Real:
-    """The parameter; at the seam of a closed curve its start."""
-    return Real(curve.domain.low) if curve.closed and t == curve.domain.high else t
+    pairs = zip(arc.first, arc.second, strict=True)
+    return [ClosestPair(from_seam(curves[0], s), from_seam(curves[1], t), squared) for s, t in pairs]
 
 
 def _within(arc: Overlap, other: Overlap) -> bool:

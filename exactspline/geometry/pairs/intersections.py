@@ -469,16 +469,8 @@ class CollectedPoints:
         place = tuple(self._at(k, point) for k in (0, 1))
         # the seam of a closed curve becomes its start: this may change the order of the two parameters
         places = (place, place[::-1]) if self.alone else (place,)
-        return any(
-            (self._from_seam(0, x), self._from_seam(1, y)) in places
-            for arc in self.arcs
-            for x, y in zip(arc.first, arc.second, strict=True)
-        )
-
-    def _from_seam(self, k: int, t: Real) -> Real:
-        """The parameter; at the end of a closed curve its start."""
-        low, high = self.curves[k].domain
-        return Real(low) if self.curves[k].closed and t == high else t
+        ends = (pair for arc in self.arcs for pair in zip(arc.first, arc.second, strict=True))
+        return any(tuple(map(from_seam, self.curves, pair)) in places for pair in ends)
 
     def _at_knot(self, group: list[_Found]) -> Intersection:
         point = group[0]
@@ -556,6 +548,11 @@ def _in_order(
     if exact or any(i == j and one[1] >= other[0] for (i, one, _), (j, other, _) in pairwise(ordered)):
         return tuple(sorted([*exact, *(place[2] for place in places)], key=lambda point: point.first))
     return tuple([place[2] for place in ordered])
+
+
+def from_seam(curve: Nurbs, t: Real) -> Real:
+    """The parameter; at the end of a closed curve its start."""
+    return Real(curve.domain.low) if curve.closed and t == curve.domain.high else t
 
 
 def _side(curve: Nurbs, i: int) -> Interval:

@@ -27,7 +27,7 @@ from exactspline.numbers.exact import sign as sign_of
 from exactspline.numbers.intervals import UNIT, Box, ball_around
 from exactspline.one_line import OneLine
 from exactspline.polynomials.patch_forms import PatchForm, jacobian_sign, rounded
-from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed
+from exactspline.polynomials.two_parameters import as_form, as_polynomial, enclosed, jacobian
 from exactspline.roots.of_polynomials import Parameter, exactly
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
@@ -207,8 +207,7 @@ class _Search:
 
 def _jacobian(f: PatchForm, g: PatchForm) -> PatchForm:
     """The Jacobian determinant of two forms, up to a positive constant."""
-    p, q = as_polynomial(f), as_polynomial(g)
-    return as_form(p.derivative(0) * q.derivative(1) - p.derivative(1) * q.derivative(0))
+    return as_form(jacobian(as_polynomial(f), as_polynomial(g)))
 
 
 #: The sides of a point, in u and in v, on which something lies; they do not depend on how knots cut the patches around
