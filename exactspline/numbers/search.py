@@ -11,8 +11,8 @@ T = TypeVar("T")
 
 
 class Search(Generic[T]):
-    """The parts of a whole, one after another; what is `split` is followed by its parts: at the end, or at once if the
-    search is `depth_first`. Parts that are not split any more are `open`.
+    """The parts of a whole, one after another. Smaller parts take the place of a part that is `split`: they come last
+    or, if the search is `depth_first`, next. Parts that are not decided and not split any more are `open`.
 
     >>> search = Search([(0, 16)])  # where is the square 40?
     >>> for low, high in search:
