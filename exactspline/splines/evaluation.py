@@ -8,7 +8,6 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable, Sequence
 from functools import cache
-from itertools import accumulate, repeat
 from math import comb, gcd, isnan
 from operator import mul, sub, truediv
 from typing import cast
@@ -65,7 +64,7 @@ class Evaluation:
         """
         found: list[tuple[mpq, ...]] = []
         for start in range(0, len(ts), TOGETHER):
-            *numerators, below = self._quotients(*over_one_denominator(ts[start : start + TOGETHER]), left)
+            *numerators, below = self._quotients(ts[start : start + TOGETHER], left)
             found += zip(*[map(mpq, row, below) for row in numerators], strict=True)
         return found
 
@@ -85,11 +84,11 @@ class Evaluation:
             found += zip(*self._nearest([int(a * (q // d)) for a, d in ratios], q, left), strict=True)
         return found
 
-    def _quotients(self, places: Sequence[int], q: int, left: bool) -> list[Sequence[int]]:
-        """The numerators of each coordinate of the points at parameters over an integer, and their denominators."""
-        made, count = self._together(_in_c(), places, q, left, near=False), len(places)
+    def _quotients(self, ts: Sequence[mpq], left: bool) -> list[Sequence[int]]:
+        """The numerators of each coordinate of the points at parameters, and their denominators."""
+        made, count = self._together(_in_c(), *over_one_denominator(ts), left, near=False), len(ts)
         if made is None:
-            return [*zip(*[[x for x, *_ in self.numbers(mpq(a, q), 0, left=left)] for a in places], strict=True)]
+            return [*zip(*[[x for x, *_ in self.numbers(t, 0, left=left)] for t in ts], strict=True)]
         numbers = _decoded(*made[:2])
         return [numbers[k : k + count] for k in range(0, len(numbers), count)]
 
@@ -97,7 +96,7 @@ class Evaluation:
         """The doubles nearest to each coordinate of these points."""
         made, count = self._together(_in_c(), places, q, left, near=True), len(places)
         if made is None:
-            *numerators, below = self._quotients(places, q, left)
+            *numerators, below = self._quotients([mpq(a, q) for a in places], left)
             return [[(x if w > 0 else -x) / abs(w) for x, w in zip(row, below, strict=True)] for row in numerators]
         found, width, near = made
         for k in [k for k, x in enumerate(near) if isnan(x)]:
@@ -126,13 +125,10 @@ class Evaluation:
         """
         low, high, unit, slopes = self._on(self.mesh.locate(t, left=left), order)
         a, q, n = int(t.numerator), int(t.denominator), self.degree
-        u, v = ([*accumulate(repeat(x, n), mul, initial=1)] for x in (high * q - a * unit, a * unit - low * q))
-        scales = [*accumulate(repeat(unit * q, order), mul, initial=1)]
-        # the basis of every derivative, times its scale
-        bases = [
-            [x * y * scale for x, y in zip(u, v[max(n - k, 0) :: -1], strict=False)] for k, scale in enumerate(scales)
-        ]
-        return [[sum(map(mul, row, basis)) for row, basis in zip(rows, bases, strict=True)] for rows in slopes]
+        u, v = ([x**k for k in range(n + 1)] for x in (high * q - a * unit, a * unit - low * q))
+        bases = [[x * y for x, y in zip(u, v[max(n - k, 0) :: -1], strict=False)] for k in range(order + 1)]
+        scaled = [[x * (unit * q) ** k for x in basis] if k else basis for k, basis in enumerate(bases)]
+        return [[sum(map(mul, row, basis)) for row, basis in zip(rows, scaled, strict=True)] for rows in slopes]
 
     def _on(self, i: int, order: int) -> Segment:
         """A segment, with the derivatives to an order: those of the form ∂v − ∂u."""

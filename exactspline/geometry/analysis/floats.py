@@ -219,6 +219,9 @@ def _of_curve(
     if of is Quantity.CURVATURE:
         plane, left = in_plane_or_space(given), side is Side.LEFT
         return [[_curvature(plane, place, rounding, side, left=left)] for place in places]
+    if of is Quantity.POINT and not order and not any(isinstance(place, Real) for place in places):
+        points = given.evaluation.points(cast("Sequence[mpq]", places), left=side is Side.LEFT)
+        return [[_rounded(x, rounding) for x in point] for point in points]
     size = 1 if of in SCALARS else given.dimension
     return [_defined(partial(_vector, given, t, of, order, side), size, rounding) for t in places]
 
