@@ -21,7 +21,6 @@ from exactspline.splines.knots import KnotVector, mesh_of
 #: The ends of a segment as integers over a positive integer, this integer, and for every numerator and the denominator
 #: there the coefficients of its derivatives, the last first.
 Segment = tuple[int, int, int, list[list[list[int]]]]
-InC = Callable[..., int]
 #: As many parameters are brought over one denominator. C computes at least this many points together, on a curve with
 #: at most this number of control points for each.
 TOGETHER, SEVERAL, PER_POINT = 256, 4, 16
@@ -124,11 +123,10 @@ class Evaluation:
         Raises `DomainError` outside the domain.
         """
         low, high, unit, slopes = self._on(self.mesh.locate(t, left=left), order)
-        a, q, n = int(t.numerator), int(t.denominator), self.degree
-        u, v = ([x**k for k in range(n + 1)] for x in (high * q - a * unit, a * unit - low * q))
-        bases = [[x * y for x, y in zip(u, v[max(n - k, 0) :: -1], strict=False)] for k in range(order + 1)]
-        scaled = [[x * (unit * q) ** k for x in basis] if k else basis for k, basis in enumerate(bases)]
-        return [[sum(map(mul, row, basis)) for row, basis in zip(rows, scaled, strict=True)] for rows in slopes]
+        a, q = int(t.numerator), int(t.denominator)
+        u, v, scale = high * q - a * unit, a * unit - low * q, unit * q
+        powers = [u**k for k in range(1, self.degree + 1)]
+        return [[_by_horner(row, powers, v) * scale**k for k, row in enumerate(rows)] for rows in slopes]
 
     def _on(self, i: int, order: int) -> Segment:
         """A segment, with the derivatives to an order: those of the form ∂v − ∂u."""
@@ -184,7 +182,7 @@ class Evaluation:
         return made
 
     def _together(
-        self, function: InC | None, places: Sequence[int], q: int, left: bool, *, near: bool
+        self, function: Callable[..., int] | None, places: Sequence[int], q: int, left: bool, *, near: bool
     ) -> tuple[bytes, int, list[float]] | None:
         """The numerators and the denominators of points, the bytes that one takes, and the doubles nearest to the
         quotients, NaN where they are not certain; None where C cannot compute them.
@@ -209,6 +207,14 @@ class Evaluation:
         return found[: components * at * limbs].tobytes(), width, doubles.tolist()
 
 
+def _by_horner(row: Sequence[int], powers: Sequence[int], v: int) -> int:
+    """The value of a form at u and v, from its coefficients, the last first, and the powers of u."""
+    value = row[0]
+    for c, power in zip(row[1:], powers, strict=False):
+        value = value * v + c * power
+    return value
+
+
 def _decoded(numbers: bytes, width: int) -> list[int]:
     """The numbers, each of which takes some bytes."""
     if width == LIMB // 8:
@@ -217,7 +223,7 @@ def _decoded(numbers: bytes, width: int) -> list[int]:
 
 
 @cache
-def _in_c() -> InC | None:
+def _in_c() -> Callable[..., int] | None:
     """The function of the extension that computes points, if it is right for a curve with large and small numbers."""
     from ctypes import c_void_p
 
@@ -226,7 +232,7 @@ def _in_c() -> InC | None:
     return loaded("curve_points", _is_right, *[c_void_p] * 5)
 
 
-def _is_right(function: InC) -> bool:
+def _is_right(function: Callable[..., int]) -> bool:
     """Whether C finds large numbers, quotients on either side of 0, and that one is between two doubles."""
     line = Evaluation(KnotVector([0, 0, 1, 1]), 1, [(mpq(-(2**70)),), (mpq(2**53 + 1),)], [mpq(3), mpq(2)])
     numbers, below = [-3 * 2**71, 2**54 - 3 * 2**70 + 2, 2**55 + 4, 2**55 + 4], [6, 5, 4, 4]
