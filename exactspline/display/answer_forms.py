@@ -444,8 +444,7 @@ def to_dict(about: About | Written, question: str = "", digits: int = 20) -> dic
     digits = as_integer(digits, "a number of digits", 1)
     if isinstance(about, Written) and not question:
         form, value, _ = _form_of_answer(about)
-        data: dict[str, object] = form.write(value, digits)
-        return data
+        return cast("dict[str, object]", form.write(value, digits))
     return {"question": question, "answer": answer_data(asked_of(cast(About, about), question), digits)}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from flint import arb
 
@@ -132,8 +132,7 @@ def _root_net(part: tuple[Coordinate, ...], field: str) -> Data:
 def _other_data(other: Parameter | Rational[BSpline], digits: int) -> Data:
     if not isinstance(other, Rational):
         return _parameter_data(other, digits)
-    data: Data = SPLINE.write(Net.of(other, other.denominator.domain), digits)
-    return data
+    return cast(Data, SPLINE.write(Net.of(other, other.denominator.domain), digits))
 
 
 def _flat_of_branch(found: tuple[LineComponent, Branch], digits: int) -> Data:
@@ -285,8 +284,7 @@ def _plane_bisector_data(bisector: PlaneBisector, digits: int) -> Data:
 def feet_data(bisector: PlaneBisector, digits: int) -> Data:
     """The boxes of pairs of parameters in which it is proved that no point of either curve is nearer."""
     form = record(true_feet=(list_of(_SIDES), "trimmed.kept"), undecided_feet=(list_of(_SIDES), "trimmed.undecided"))
-    data: Data = form.write(bisector, digits)
-    return data
+    return cast(Data, form.write(bisector, digits))
 
 
 # ---- a point and a curve

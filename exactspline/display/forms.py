@@ -548,5 +548,4 @@ def derived_data(derived: Derived, curve: str) -> Data:
     derived = as_instance(derived, Derived, "a derived object", "give the result of exactspline.derive")
     layout = "directrix, generator" if derived.ruled else ""
     head = {"name": derived.name, "variant": derived.variant, "curve": curve, "layout": layout}
-    data: Data = head | DERIVED.write(derived, 20)
-    return data
+    return cast(Data, head | DERIVED.write(derived, 20))

@@ -198,8 +198,7 @@ class Rational(Immutable, Operand, OwnProducts, OwnJoining, Generic[T]):
         """
         numerator: Any = self.scalar
         denominator: Any = self.denominator
-        value: mpq = numerator(*place, **side) / denominator(*place, **side)
-        return value
+        return cast(mpq, numerator(*place, **side) / denominator(*place, **side))
 
     def __eq__(self, other: object) -> bool:
         """Whether two quotients are the same function, decided by cross-multiplication, so that common factors do not
@@ -424,11 +423,9 @@ def cramer(*rows: tuple[Vector[S], S]) -> Vector[S]:
     """
     if len(rows) == 2:
         (a, h), (b, k) = rows
-        line: Vector[S] = perp(a) * k - perp(b) * h
-        return line
+        return perp(a) * k - perp(b) * h
     (a, h), (b, k), (c, m) = rows
-    point: Vector[S] = cross(b, c) * h + cross(c, a) * k + cross(a, b) * m
-    return point
+    return cross(b, c) * h + cross(c, a) * k + cross(a, b) * m
 
 
 def level(normal: Vector[S], height: S) -> tuple[Vector[S], S]:

@@ -49,8 +49,7 @@ class RuledSurface(OneLine, Immutable, Displayed, Generic[T_co]):
         """The curve of constant ruling parameter."""
         directrix: Any = self.directrix
         generator: Any = self.generator
-        curve: T_co = directrix + generator * ruling
-        return curve
+        return cast(T_co, directrix + generator * ruling)
 
     @property
     def degree(self: RuledSurface[HasDegree[D]]) -> D:
@@ -66,8 +65,7 @@ class RuledSurface(OneLine, Immutable, Displayed, Generic[T_co]):
         generator: Any = self.generator
         operand = directrix.denominator if isinstance(directrix, Rational) else directrix[0]
         nothing = [operand.constant(0)] * len(directrix)
-        joined: T_co = _extended(directrix, [], nothing) + _extended(generator, nothing, [])
-        return joined
+        return cast(T_co, _extended(directrix, [], nothing) + _extended(generator, nothing, []))
 
 
 def ruled(directrix: V, generator: V) -> RuledSurface[V]:

@@ -349,8 +349,7 @@ def powers_of(form: PatchForm) -> list[list[fmpz]]:
     [[-1, 1], [1, 0]]
     """
     m, n = form.degree
-    table: list[list[fmpz]] = (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
-    return table
+    return (_to_powers(m) * form.matrix * _to_powers(n).transpose()).table()
 
 
 @lru_cache(maxsize=256)

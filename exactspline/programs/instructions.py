@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from flint import fmpz, fmpz_poly
 
@@ -198,8 +198,7 @@ def compiled(
         ]
     )
     exec(compile(source, "<straight-line program>", "exec"), constants)
-    run: Run = constants["run"]
-    return run
+    return cast(Run, constants["run"])
 
 
 def _multiplier(multiplier: Multiplier) -> str:

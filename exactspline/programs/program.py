@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar, cast
 
 from flint import fmpz, fmpz_poly
 
@@ -261,8 +261,7 @@ class Program:
         """The value from the splines of an argument."""
         leaves = tuple(zip(self.leaves, [f.provenance for f in given.splines], strict=True))
         splines = self._on_patches(given, leaves) if self._stages else self._on_segments(given, leaves)
-        value: SplineValue = _rebuilt(self.value, iter(splines))
-        return value
+        return cast(SplineValue, _rebuilt(self.value, iter(splines)))
 
     def _on_segments(self, given: Given, leaves: Any) -> list[BSpline]:
         """The terms of the value in one parameter."""
@@ -376,8 +375,7 @@ def value(formula: Formula, given: Given) -> SplineValue:
     if program is None:
         asked = _segments_asked[key] = _segments_asked.get(key, 0) + len(given.meshes[0])
         if asked < WORTH_IT:
-            read: SplineValue = formula(given.argument)
-            return read
+            return cast(SplineValue, formula(given.argument))
         program = _programs[key] = program_of(formula, given.signature)
     return program.on(given)
 
@@ -393,8 +391,7 @@ def evaluated(formula: Formula, argument: Evaluated) -> SplineValue:
     given = operands_of(formula.kind, argument)
     program = None if given is None else _program_if_any(formula, given.signature)
     if given is None or program is None:
-        read: SplineValue = formula(argument)
-        return read
+        return cast(SplineValue, formula(argument))
     return program.on(given)
 
 

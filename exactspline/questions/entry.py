@@ -37,8 +37,7 @@ class Remembers:
             with self._lock.held():
                 if key not in self._known:
                     self._known[key] = compute()
-        found: T = self._known[key]
-        return found
+        return cast(T, self._known[key])
 
     @property
     def again(self) -> Callable[[], Remembers]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache, reduce
+from typing import cast
 
 from exactspline.errors import FormulaError, InapplicableError, as_text
 from exactspline.language.arguments import Curve, Evaluated, Pair
@@ -308,8 +309,7 @@ class DegreeReading(Reading):
         >>> DegreeReading().count(find("g2"), 2)
         9d − 6
         """
-        degree: Degree = formula(self.argument(formula.kind, dimension, polynomial=polynomial)).degree
-        return degree
+        return cast(Degree, formula(self.argument(formula.kind, dimension, polynomial=polynomial)).degree)
 
     def argument(self, kind: Kind, dimension: int, *, polynomial: bool = False) -> Evaluated:
         """Return the degrees of the operands. Operands that do not depend on the parameter have degree 0."""

@@ -112,8 +112,7 @@ class FactoredJet(RingOperand):
             return NotImplemented
         common = self.powers.shared(other.powers)
         left, right = self.powers.without(common), other.powers.without(common)
-        same: bool = multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit
-        return same
+        return bool(multiplied(self.ring, left) * self.unit == multiplied(self.ring, right) * other.unit)
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 

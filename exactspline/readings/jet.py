@@ -96,8 +96,7 @@ class JetRing(OneLine):
 
     def of_terms(self, terms: Terms) -> fmpq_mpoly:
         """The polynomial with these terms (see `terms_of`)."""
-        polynomial: fmpq_mpoly = self.context.from_dict({e: fmpq(p, q) for e, p, q in terms})
-        return polynomial
+        return self.context.from_dict({e: fmpq(p, q) for e, p, q in terms})
 
     def __getitem__(self, name: str) -> Jet:
         parameters = 1 if name in self.rules else max(len(self.symbols[name].parameters), 1)
@@ -429,8 +428,7 @@ class JetFraction(FieldOperand):
     def _at_a_point(self, factor: fmpq_mpoly) -> fmpq:
         """The numerator times a polynomial, at one point of small integers."""
         point = range(2, 2 + len(self.ring.gens))
-        value: fmpq = self.top(*point) * factor(*point)
-        return value
+        return self.top(*point) * factor(*point)
 
     __hash__ = None  # type: ignore[assignment]  # not hashable
 

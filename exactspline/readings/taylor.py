@@ -80,8 +80,7 @@ class Series(FieldOperand):
     @property
     def value(self) -> Coefficient:
         """The value at the parameter."""
-        value: Coefficient = self.coefficients[0]
-        return value
+        return cast(Coefficient, self.coefficients[0])
 
     @property
     def is_zero(self) -> bool:
@@ -125,8 +124,7 @@ def series_curve(curve: Curve[T], t: Number, terms: int, side: Side | str = Side
     """Return the Taylor expansion of a curve at a parameter."""
     curve = as_instance(curve, Curve, "a curve", 'give one such as exactspline.example("cusp")')
     terms = as_integer(terms, "a number of terms", 1)
-    expanded: Curve[Series] = curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side))
-    return expanded
+    return cast("Curve[Series]", curve.mapped(lambda spline: taylor(cast(Function, spline), t, terms, side)))
 
 
 # ---- surfaces

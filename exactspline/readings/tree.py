@@ -244,10 +244,8 @@ def trace(formula: Formula, dimension: int = 3, *, expand: bool = False) -> Node
     p′ w − p w′
     """
     formula = expect_formula(formula)
-    node: Node = formula.function(
-        TreeReading(expand=expand).argument(formula.kind, as_integer(dimension, "a dimension", 1))
-    )
-    return node
+    argument = TreeReading(expand=expand).argument(formula.kind, as_integer(dimension, "a dimension", 1))
+    return cast(Node, formula.function(argument))
 
 
 #: The functions for operations that depend only on the values of their arguments.

@@ -454,8 +454,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
             if own != direction:
                 other = _changed_one(self.meshes[direction], change)
                 meshes = replaced(self.meshes, direction, other.mesh)
-                crossed: TensorSpline = lifted(spline, meshes, own, self.stride) * lifted(other, meshes, direction)
-                return crossed
+                return lifted(spline, meshes, own, self.stride) * lifted(other, meshes, direction)
             spline = change(spline)
             return lifted(spline, replaced(self.meshes, direction, spline.mesh), direction, self.stride)
         if direction == 0:

@@ -270,8 +270,7 @@ def degree_on_patch(jets: Sequence[Jet], degrees: Mapping[Parameter, int], param
 def with_degree(ring: JetRing, polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial in the ring with the additional variable d."""
     context = fmpq_mpoly_ctx.get(["d", *ring.context.names()], Ordering.degrevlex)
-    made: fmpq_mpoly = polynomial.project_to_context(context)
-    return made
+    return polynomial.project_to_context(context)
 
 
 def lowered(ring: JetRing, polynomial: fmpq_mpoly, parameter: Parameter) -> fmpq_mpoly:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import groupby
 from math import gcd, lcm
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from exactspline.language.arguments import Curve, Pair, T
 from exactspline.language.kinds import Symbol
@@ -101,11 +101,9 @@ class Substitution:
         ]
         value = self._evaluated(variables)
         if not isinstance(value, CONSTANTS):
-            scaled: T = self._scaled(value)
-            return scaled
+            return cast(T, self._scaled(value))
         some: Any = next(known[name] for name in ("w", *known) if name in known)
-        result: T = some.constant(value * self.unit)
-        return result
+        return cast(T, some.constant(value * self.unit))
 
     def _scaled(self, value: Any) -> Any:
         return value if self.unit == 1 else value * self.unit

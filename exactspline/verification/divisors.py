@@ -48,8 +48,7 @@ class Evaluation:
         if id(node) not in self._known:
             self._kept.append(node)  # so that its id is not reused
             self._known[id(node)] = self._value(node, [self(each) for each in node.args])
-        known: JetFraction | Vector[JetFraction] = self._known[id(node)]
-        return known
+        return cast("JetFraction | Vector[JetFraction]", self._known[id(node)])
 
     def divide_by(self, node: Node) -> None:
         """Count the value of a tree as a denominator, together with the denominators in the tree."""
@@ -93,8 +92,7 @@ def factored(value: JetFraction | mpq) -> Factored[fmpq_mpoly]:
 def _primitive_multiple(polynomial: fmpq_mpoly) -> fmpq_mpoly:
     """The multiple with coprime integer coefficients, the first one positive."""
     coefficients = [from_flint(c) for c in polynomial.coeffs()]
-    multiple: fmpq_mpoly = polynomial * to_fmpq(sign(coefficients[0]) / content(coefficients))
-    return multiple
+    return polynomial * to_fmpq(sign(coefficients[0]) / content(coefficients))
 
 
 #: The denominators of curves and of the operands of Table 1 of the paper: none of them has zeros.

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
 from itertools import pairwise, product
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from flint import fmpq_poly
 
@@ -233,8 +233,7 @@ class Evaluation:
     @cached_property
     def _bare(self) -> Evaluated:
         """The curve itself, for all kinds without additional operands."""
-        bare: Evaluated = self.curve.remembering()
-        return bare
+        return cast(Evaluated, self.curve.remembering())
 
     def argument(self, kind: str) -> Evaluated:
         """The argument of formulas of a kind."""

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from flint import fmpz_poly, nmod_poly
 
@@ -170,8 +170,7 @@ def cached_reduction(
 
 def degree_in_table_1(formula: Formula) -> Degree:
     """The degree of a row of Table 1."""
-    degree: Degree = formula(table_1_degrees()).degree
-    return degree
+    return cast(Degree, formula(table_1_degrees()).degree)
 
 
 def table_1_degrees() -> Operands:

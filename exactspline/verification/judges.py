@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Protocol
+from typing import Protocol, cast
 
 from exactspline import hooks
 from exactspline.errors import ClaimError, ExactSplineError, nearest
@@ -95,8 +95,7 @@ def judge_named(name: str, claims: Sequence[Claim] = ()) -> Judge:
     if name not in _others:
         raise ClaimError(f"there is no judge called {name!r}", remedy=nearest(name, _others))
     made = _others[name]
-    judge: Judge = (hooks.named(made) if isinstance(made, str) else made)(claims)
-    return judge
+    return cast(Judge, (hooks.named(made) if isinstance(made, str) else made)(claims))
 
 
 def agreed(own: Finding, first: Name, other: Finding, second: Name) -> Finding:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from exactspline.display.plot.canvas import axes_for, check_names
 from exactspline.display.plot.curves import plot_curve, plot_quotient
@@ -77,8 +77,7 @@ def _listed(things: Iterable[object]) -> list[object]:
 def _drawn(thing: object, ax: Axes | None, how: dict[str, object]) -> Axes:
     """Draw one thing into axes or a new figure."""
     if isinstance(thing, SurfaceInspection) and ax is None and not how:
-        axes: Axes = picture("inspected surface", thing).axes[0]
-        return axes
+        return cast("Axes", picture("inspected surface", thing).axes[0])
     if isinstance(thing, CurveBisector):
         of_two: Callable[..., Axes] = named(HOMES["bisector"])
         check_names(of_two, how)

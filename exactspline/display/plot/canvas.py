@@ -14,7 +14,7 @@ from math import ceil, floor, log10
 from numbers import Real
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from exactspline.atomic_write import write_atomically
 from exactspline.errors import ExactSplineError, a_kind, counted, nearest, shown
@@ -102,8 +102,7 @@ def axes_for(ax: Axes | None, dimension: int = 2) -> Axes:
     if (ax.name == "3d") != (dimension == 3):
         problem = f"axes that do not fit R{dimension}"
         raise PlotError(problem, where="ax", remedy="projection='3d' is for curves in space, and only for them")
-    axes: Axes = ax
-    return axes
+    return cast("Axes", ax)
 
 
 def draw(ax: Axes, points: Iterable[Sequence[mpq]], style: str = "", **how: object) -> None:
@@ -164,8 +163,7 @@ def parameter(t: Number | Root | Feature, domain: tuple[mpq, mpq]) -> mpq:
     place: Any = getattr(t, "parameter", getattr(t, "root", t))
     if isinstance(place, Root):
         low, high = place.refine(20 + int(1 / (domain[1] - domain[0])).bit_length() // 3)
-        middle: mpq = (low + high) / 2
-        return middle
+        return (low + high) / 2
     return rational(place)
 
 

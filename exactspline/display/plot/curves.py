@@ -191,8 +191,7 @@ def _quotient(value: object) -> Rational[BSpline]:
     if not isinstance(value, Rational | Vector) or not all(isinstance(x, BSpline) for x in components):
         problem = f"{a_kind(value)}, where a vector or a quotient of splines is expected"
         raise ShapeError(problem, remedy="evaluate a formula on a curve, or use curve.gamma")
-    quotient: Rational[BSpline] = value if isinstance(value, Rational) else value / components[0].constant(1)
-    return quotient
+    return cast("Rational[BSpline]", value if isinstance(value, Rational) else value / components[0].constant(1))
 
 
 def plot_quotient(

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib import resources
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from exactspline.errors import FormulaError
 from exactspline.language.arguments import Callee
@@ -269,8 +269,7 @@ def body(formula: Formula, dimension: int) -> Node:
     >>> body(find("f1"), 2).args[0].value.formula.name
     'D1'
     """
-    tree: Node = formula.function(Calling(formula.kind, dimension))
-    return tree
+    return cast(Node, formula.function(Calling(formula.kind, dimension)))
 
 
 HEADER = """(** {title}: {about}.

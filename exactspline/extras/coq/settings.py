@@ -148,8 +148,7 @@ class Setting:
     def _operand(self, symbol: Symbol) -> JetFraction:
         weight = "w" if symbol.name in COORDINATES else "W" if symbol.name in BARRED else ""
         if weight and symbol.name != weight and self.shape != "table" and weight in self.weights:
-            product: JetFraction = self._jet(symbol.name) * self._jet(weight)
-            return product
+            return self._jet(symbol.name) * self._jet(weight)
         return self._jet(symbol.name)
 
     def _jet(self, name: str) -> JetFraction:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache, singledispatch
 from importlib import resources
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
 from flint import fmpq_mpoly
 
@@ -314,8 +314,7 @@ class Statement(ABC, Generic[Conclusion]):
         target: Any = self.traced
         if isinstance(self.kind, PairKind) and not isinstance(formula.kind, PairKind):
             target = getattr(target, part)
-        node: Node = target.calls(formula)
-        return node
+        return cast(Node, target.calls(formula))
 
     def assumed(self, assumption: Assumption) -> Node:
         """The expression that is assumed not to vanish; for a vector its squared length."""
@@ -547,8 +546,7 @@ def _times_factor(claim: Identity, theorem: Statement[Conclusion], right: Node) 
         return right
     if below is not None:
         above = (above if above is not None else Node(Operation.NUMBER, value=1)) / below
-    product: Node = above * right
-    return product
+    return above * right
 
 
 def _part(claim: Identity, theorem: Statement[Conclusion], name: str) -> Node:

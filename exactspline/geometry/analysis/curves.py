@@ -536,8 +536,7 @@ class Analysis(CurveValues, Displayed, FunctionsOutside):
         def form() -> BSpline:
             squared = construction("curvature_squared").on(self.operands, Variant.MINIMAL, self.value_of)
             assert isinstance(squared, Rational)
-            numerator: BSpline = squared.scalar * (d * d) - squared.denominator
-            return numerator
+            return squared.scalar * (d * d) - squared.denominator
 
         return self.once(("offset", d), lambda: self.solved(form))
 

@@ -354,8 +354,7 @@ def _subnormal(a: Floats) -> Flags:
     comparison may treat them as zero, too.
     """
     bits = np.ascontiguousarray(a).view(np.int64) & SIZE
-    subnormal: Flags = (bits > 0) & (bits < LEAST)
-    return subnormal
+    return (bits > 0) & (bits < LEAST)
 
 
 def scaled_operands(p: Floats, w: Floats | None) -> list[Floats]:
@@ -371,8 +370,7 @@ def scaled_operands(p: Floats, w: Floats | None) -> list[Floats]:
 def _small(a: Floats, axis: tuple[int, ...]) -> Floats:
     """Every curve's numbers times a power of two, so that none is larger than 1."""
     _, exponents = np.frexp(np.abs(a).max(axis=axis, keepdims=True))
-    smaller: Floats = np.ldexp(a, -exponents)
-    return smaller
+    return cast(Floats, np.ldexp(a, -exponents))
 
 
 def _curve(p: Floats, w: Floats | None) -> Nurbs:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from flint import arb, fmpz_mpoly
 
@@ -369,5 +369,4 @@ _EXCHANGED |= {second: first for first, second in _EXCHANGED.items()}
 
 def _exchanged(of: W) -> W:
     """The cause, or the correspondence, of the exchanged curves."""
-    other: W = _EXCHANGED.get(of, of)
-    return other
+    return cast(W, _EXCHANGED.get(of, of))

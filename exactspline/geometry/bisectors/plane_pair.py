@@ -9,7 +9,7 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
 from flint import fmpz_mpoly
 
@@ -64,15 +64,13 @@ class PlanePair(Generic[R]):
     @cached_property
     def across(self) -> R:
         """``[a b]``, which is zero where the normals are parallel."""
-        value: R = det(self.a, self.b)
-        return value
+        return det(self.a, self.b)
 
     @cached_property
     def equidistant(self) -> R:
         """F, without the positive powers of both weights."""
         a, b, e = self.a, self.b, self.chord
-        value: R = dot(a, e) * det(e, b) - det(a, e) * dot(b, e)
-        return value
+        return cast(R, dot(a, e) * det(e, b) - det(a, e) * dot(b, e))
 
 
 def tangent(curve: Nurbs) -> tuple[BSpline, ...]:

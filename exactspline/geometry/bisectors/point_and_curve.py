@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise, starmap
-from typing import Any
+from typing import Any, cast
 
 from exactspline.errors import ShapeError, as_items, counted
 from exactspline.geometry.bisectors.common import STILL, THROUGH, Bisector, is_zero_on
@@ -173,8 +173,7 @@ def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) 
 
 def _cut(c: Curve[BSpline], a: mpq, b: mpq) -> Curve[BSpline]:
     """The curve and the point over a part of the domain."""
-    part: Curve[BSpline] = c.mapped(lambda f: f.restrict(a, b))
-    return part
+    return cast("Curve[BSpline]", c.mapped(lambda f: f.restrict(a, b)))
 
 
 def _cover(generator: Any, a: mpq, b: mpq) -> list[tuple[mpq, mpq, int]]:

@@ -171,8 +171,7 @@ class System(OneLine):
     @cached_property
     def determinant(self) -> fmpz_mpoly:
         """``[a b E]``."""
-        value: fmpz_mpoly = det(self.a, self.b, self.chord)
-        return value
+        return det(self.a, self.b, self.chord)
 
     @cached_property
     def numerators(self) -> list[fmpz_mpoly]:

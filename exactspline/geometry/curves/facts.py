@@ -218,8 +218,7 @@ class Facts(Remembers):
         weight function. Raises `ShapeError` for a curve of another dimension.
         """
         if isinstance(name, str) and isinstance(variant, str) and (name, variant) in self._known:
-            known: ZeroForm = self._known[name, variant]
-            return known
+            return cast(ZeroForm, self._known[name, variant])
         made, variant = construction(name), choice(Variant, variant, "variant")
         {"plane": plane, "space": space}[made.curve](self.curve)
 
@@ -236,8 +235,7 @@ class Facts(Remembers):
     def value_of(self, formula: Formula) -> SplineValue:
         """The value of a formula on the curve (with a positive weight function)."""
         if self._given is None:
-            value: SplineValue = formula(self.operands)
-            return value
+            return cast(SplineValue, formula(self.operands))
         return program.value(formula, self._given)
 
     def lowest_of(self, formula: Formula) -> SplineValue:

@@ -61,8 +61,7 @@ def ruled_surface(name: str, curve: Nurbs, variant: Variant | str = Variant.MINI
     value = construction(name).formula(variant)(space(curve))
     if not isinstance(value, RuledSurface):
         raise ShapeError(f"{name} is not a ruled surface", remedy="choose a developable, a scroll or the focal surface")
-    surface: SplineSurface = in_lowest_terms(value) if variant == Variant.MINIMAL else value
-    return surface
+    return cast(SplineSurface, in_lowest_terms(value) if variant == Variant.MINIMAL else value)
 
 
 def point_at(surface: SplineSurface, s: Number, ruling: Number, side: Side | str = Side.RIGHT) -> tuple[mpq, ...]:

@@ -442,8 +442,7 @@ def _travelled(curve: Nurbs) -> tuple[BSpline, mpq] | None:
 
 def _speeds(curve: Nurbs) -> list[Speed]:
     """The segments, computed once; raises `OpenError` where this takes too much work."""
-    found: list[Speed] = facts_of(curve).once("speeds", partial(_computed_speeds, curve))
-    return found
+    return facts_of(curve).once("speeds", partial(_computed_speeds, curve))
 
 
 def _computed_speeds(curve: Nurbs) -> list[Speed]:

@@ -27,7 +27,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise, product
 from math import ceil
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpq_poly, fmpz_mpoly, fmpz_poly
 
@@ -257,14 +257,12 @@ class _OfSegments:
         if not d:
             return f
         reached: fmpz_mpoly = self.pair.across * self.pair.weight * int(d.numerator)
-        value: fmpz_mpoly = f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
-        return value
+        return f**2 * norm2(velocity) * int(d.denominator) ** 2 - reached**2
 
     def _chord(self, d: mpq) -> fmpz_mpoly:
         """A polynomial that is zero where the chord has a given length."""
         weight: fmpz_mpoly = self.pair.weight
-        value: fmpz_mpoly = self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2
-        return value
+        return cast(fmpz_mpoly, self.square * int(d.denominator) ** 2 - weight**2 * int(d.numerator) ** 2)
 
     def _triangle(self) -> fmpz_mpoly:
         """A polynomial that is zero where the chord is the third side of a triangle whose other sides are normals of
@@ -276,8 +274,7 @@ class _OfSegments:
         weight: fmpz_mpoly = self.pair.weight
         left = self.square * m**2 - weight**2 * int((one**2 + other**2) * m**2)
         right = weight**2 * self.along * int(2 * one * other * m**2)
-        value: fmpz_mpoly = left**2 * norm2(self.pair.a) * norm2(self.pair.b) - right**2
-        return value
+        return cast(fmpz_mpoly, left**2 * norm2(self.pair.a) * norm2(self.pair.b) - right**2)
 
     def points(self) -> Iterator[OffsetIntersection]:
         """All common points of the two offsets."""

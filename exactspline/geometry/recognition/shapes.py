@@ -26,7 +26,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain, combinations
 from operator import sub
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 import flint
 from gmpy2 import isqrt
@@ -146,8 +146,7 @@ class CurveShape(Shape):
     def _turning(self, across: Vector[BSpline], curve: Nurbs) -> BSpline:
         """A function with the sign of the speed of a curve to the left of a vector, in the plane of the shape."""
         velocity = wronskians(curve.w, curve.p)
-        turning: BSpline = scalar(cross(across, velocity), self.normal) if self.normal else det(across, velocity)
-        return turning
+        return cast(BSpline, scalar(cross(across, velocity), self.normal) if self.normal else det(across, velocity))
 
 
 @dataclass(frozen=True, repr=False)
@@ -174,8 +173,7 @@ class Line(CurveShape):
 
     def advance(self, curve: Nurbs) -> BSpline:
         """A function with the sign of the speed of a curve along the shape."""
-        along: BSpline = scalar(wronskians(curve.w, curve.p), self.direction)
-        return along
+        return cast(BSpline, scalar(wronskians(curve.w, curve.p), self.direction))
 
 
 @dataclass(frozen=True, repr=False)

@@ -285,8 +285,7 @@ class _Search:
     def _argument(self, box: Box, terms: int) -> Any:
         """The surfaces as series: each coefficient with its values on the whole rectangle."""
         series = iter([_series(nets, box, terms) for nets in self.nets])
-        made: Any = self.surface.mapped(lambda _: next(series))
-        return made
+        return cast(Any, self.surface.mapped(lambda _: next(series)))
 
 
 def _series(nets: dict[tuple[int, int], arb_mat], box: Box, terms: int) -> _Balls:

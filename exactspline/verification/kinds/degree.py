@@ -424,5 +424,4 @@ def _first_failure(
 
 
 def _at(degree: Degree, d: int) -> int:
-    value: int = degree.at(dict.fromkeys(degree.names, d))
-    return value
+    return degree.at(dict.fromkeys(degree.names, d))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import partial
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, TypeVar, cast
 
 from exactspline.errors import ClaimError, VanishingDivisorError, counted
 from exactspline.language.adjoined_root import framed
@@ -56,8 +56,7 @@ class _Map:
         """The image of a vector under an affine map: the image of its end point minus the image of the origin."""
         moved, _ = self.image(v, one, constants)
         origin, _ = self.image(v.mapped(lambda x: x.constant(0)), one, constants)
-        difference: Vector[M] = moved - origin
-        return difference
+        return cast("Vector[M]", moved - origin)
 
 
 def _move(n: int) -> list[str]:
