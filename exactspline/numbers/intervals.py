@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import takewhile
+from math import inf
 from typing import NamedTuple
 
 from flint import arb
@@ -215,6 +216,17 @@ def ball_ends(ball: arb) -> Interval:
     """
     middle, radius = (_dyadic(*part.man_exp()) for part in (ball.mid(), ball.rad()))
     return Interval(middle - radius, middle + radius)
+
+
+def double_in(ball: arb) -> float | None:
+    """The double to which all numbers of a ball are rounded, at a precision of FLINT above that of doubles; None if
+    there is no such double, and for 0.
+
+    >>> double_in(arb(0.5)), double_in(arb(0.5, 1e-9))
+    (0.5, None)
+    """
+    low, high = float(ball.lower()), float(ball.upper())
+    return low if low == high and 0 < abs(low) < inf else None
 
 
 def _dyadic(mantissa: object, exponent: object) -> mpq:

@@ -4,9 +4,9 @@ interruptible loop with a cost that is bounded beforehand.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from itertools import islice, pairwise, zip_longest
+from itertools import chain, islice, pairwise, zip_longest
 
 from flint import fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
@@ -122,8 +122,8 @@ ARITHMETIC = 10
 #: The nanoseconds per bit of the reduction of a lattice and of the number in it (measured: 500 to 8000), and the bound
 #: on the sum of these bits.
 LATTICE, REDUCTION = 8000, 10**9
-#: The primes modulo which a polynomial is tested for rational zeros.
-PRIMES = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43)
+#: The primes modulo which a polynomial is tested for rational zeros, and further ones for quadratic zeros.
+PRIMES, FURTHER = (7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43), (47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97)
 #: The polynomials x and 1.
 X, ONE = fmpz_poly([0, 1]), fmpz_poly([1])
 
@@ -208,49 +208,52 @@ def _over_quotients(m: tuple[fmpz, ...], f: tuple[fmpz, ...], g: tuple[fmpz, ...
     return resultant(_rows(fmpz_poly(list(m))), [fmpz_poly([-a, b]) for a, b in zip_longest(f, g, fillvalue=fmpz())])
 
 
-def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly) -> bool:
+def without_quadratic_zero(m: fmpz_poly, top: fmpz_poly, bottom: fmpz_poly, *, squared: bool = False) -> bool:
     """Whether it is certain that no ``top(α)/bottom(α)``, for a zero α of m at which `bottom` does not vanish, is a
     zero of a polynomial of degree 1 or 2: modulo a prime that does not divide the leading coefficient, such a
-    polynomial would be a factor of the polynomial whose zeros are all the quotients. False decides nothing.
+    polynomial would be a factor of the polynomial whose zeros are all the quotients. False decides nothing. With
+    `squared` the same about the square roots of the quotients.
 
     >>> alpha = fmpz_poly([-2, 0, 0, 1])
     >>> [without_quadratic_zero(alpha, fmpz_poly(top), fmpz_poly([3])) for top in ([1, 1], [0, 0, 0, 1])]
     [True, False]
     """
-    degrees = {1, 2}
-    for prime in _primes_for(tuple(m.coeffs())) if m.degree() > 2 else ():
-        degrees &= _possible_degrees(m, top, bottom, prime)
-        if not degrees:
-            return True
-    return False
+    first = _first_good_prime(tuple(m.coeffs()))
+    return any(
+        _is_large(nmod_poly(top, prime), nmod_poly(bottom, prime), over, far, squared=squared)
+        for prime, over, far in (chain(first, _good_primes(m)) if first else ())
+    )
+
+
+def _good_primes(m: fmpz_poly) -> Iterator[tuple[int, nmod_poly, nmod_poly]]:
+    """Primes p modulo which a polynomial keeps its degree and has no factor of degree 1 or 2, with the polynomial and
+    ``x^(p²)`` modulo the prime.
+    """
+    for prime in (*PRIMES, *FURTHER) if m.degree() > 2 else ():
+        over, x = nmod_poly(m, prime), nmod_poly(X, prime)
+        if over.degree() == m.degree() and ((far := pow(x, prime**2, over)) - x).gcd(over).degree() < 1:
+            yield prime, over, far
 
 
 @lru_cache(256)
-def _primes_for(coefficients: tuple[fmpz, ...]) -> Sequence[int]:
-    """The primes, beginning with one modulo which a polynomial has no factor of degree 1 or 2, if there is such a
-    prime. The result is cached, because many values are computed at zeros of the same polynomial.
+def _first_good_prime(coefficients: tuple[fmpz, ...]) -> list[tuple[int, nmod_poly, nmod_poly]]:
+    """The first of these primes, if there is one. It is cached, because many values are computed at zeros of the same
+    polynomial.
     """
-    m = fmpz_poly(list(coefficients))
-    good = (prime for prime in PRIMES if not _possible_degrees(m, X, ONE, prime))
-    return *islice(good, 1), *PRIMES
+    return [*islice(_good_primes(fmpz_poly(list(coefficients))), 1)]
 
 
-def _possible_degrees(m: fmpz_poly, f: fmpz_poly, g: fmpz_poly, prime: int) -> set[int]:
-    """The degrees, among 1 and 2, that a factor of the polynomial with all quotients as zeros may have: the degrees of
-    its factors modulo the prime. A quotient x, modulo a factor of m, has degree 1 if x^prime = x, and at most degree 2
-    if this holds for the square of the prime.
+def _is_large(f: nmod_poly, g: nmod_poly, over: nmod_poly, far: nmod_poly, *, squared: bool) -> bool:
+    """Whether ``f/g``, or with `squared` its square root, has no degree below 3 modulo any factor of a polynomial, for
+    a prime p of `_good_primes`: whether it is never its own p²-th power, for which x is replaced by the power of x.
     """
-    over, top, bottom = (nmod_poly(p, prime) for p in (m, f, g))
-    common, inverse, _ = bottom.xgcd(over)
-    if over.degree() < m.degree() or common.degree():
-        return {1, 2}
-    x = top * inverse % over
-    small = (pow(x, prime * prime, over) - x).gcd(over)
-    if small.degree() < 1:
-        return set()
-    alone = small.degree() == 1 and (over // small).gcd(small).degree() < 1
-    rational = (pow(x, prime, over) - x).gcd(over).degree() > 0
-    return ({1} if rational else set()) | (set() if alone else {2})
+    f, g = f % over, g % over
+    if squared:
+        half = int(over.modulus()) ** 2 // 2
+        rest = (pow(f, half, over) - pow(g, half, over)) * f
+    else:
+        rest = f.compose_mod(far, over) * g - g.compose_mod(far, over) * f
+    return (rest * g).gcd(over).degree() < 1
 
 
 def at_most_quadratic(
@@ -325,9 +328,9 @@ def without_rational_zero(p: fmpz_poly) -> bool:
 
 
 def _no_zero_modulo(p: fmpz_poly, prime: int) -> bool:
-    """Whether a polynomial keeps its degree modulo a prime and has no zero modulo the prime."""
-    residues = nmod_poly(p, prime)
-    return residues.degree() == p.degree() and all(int(residues(x)) for x in range(prime))
+    """Whether a polynomial of degree at least 1 keeps its degree modulo a prime and has no zero modulo the prime."""
+    residues, x = nmod_poly(p, prime), nmod_poly(X, prime)
+    return residues.degree() == p.degree() > 0 and (pow(x, prime, residues) - x).gcd(residues).degree() < 1
 
 
 def linear(value: mpq) -> fmpz_poly:

@@ -8,17 +8,18 @@ from __future__ import annotations
 
 import numbers
 import re
+from collections.abc import Callable
 from contextlib import suppress
 from decimal import Context, Decimal
 from fractions import Fraction
 from functools import cache, lru_cache, total_ordering
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
-from flint import arb_poly, ctx, fmpz, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpz, fmpz_poly
 
 from exactspline.errors import OpenError, ReachError, as_integer
 from exactspline.numbers.exact import Rounding, decimal_unit, double_between, mpq, mpz, rational, to_fmpq
-from exactspline.numbers.intervals import Interval, ball_around, shifted
+from exactspline.numbers.intervals import Interval, ball_around, double_in, shifted
 from exactspline.numbers.once import Immutable, fill
 from exactspline.one_line import LONGEST_NUMBER
 from exactspline.polynomials.elimination import linear, primitive, sign_of_value, square_free
@@ -28,7 +29,10 @@ if TYPE_CHECKING:
     import mpmath
 
 
-ONE = mpq(1)
+T = TypeVar("T")
+ONE, HALF = mpq(1), arb((1, -1))
+#: The precision of the balls around numbers that are at hand.
+PRECISION = 128
 #: The number of digits at which numbers not yet separated are suspected to be equal.
 SUSPICIOUS = 10
 #: The maximal number of digits after the decimal point in a text.
@@ -49,6 +53,17 @@ class Digits(Immutable):
     def _against_number(self, t: mpq) -> int:
         """The exact sign of the number minus a rational number."""
         raise NotImplementedError
+
+    def _at_hand(self) -> arb | None:
+        """A small ball around the number that takes no refinement; None if there is none."""
+        return None
+
+    def _by_ball(self, by: Callable[[arb], T]) -> T | None:
+        """What the ball at hand tells, None if there is none."""
+        if (ball := self._at_hand()) is None:
+            return None
+        with ctx.workprec(PRECISION):
+            return by(ball)
 
     @property
     def closed_form(self) -> str | None:
@@ -74,7 +89,8 @@ class Digits(Immutable):
 
         Raises `OverflowError` beyond the largest double.
         """
-        return double_between(self._enclosed, self._against_number, rounding)
+        found = self._by_ball(double_in) if rounding == Rounding.NEAREST else None
+        return double_between(self._enclosed, self._against_number, rounding) if found is None else found
 
     def doubles(self) -> dict[str, float]:
         """Return the correctly rounded doubles for the three rounding modes, each under the name of the mode."""
@@ -179,6 +195,9 @@ class Digits(Immutable):
         the number is, it is treated as a tie.
         """
         scale, reached = mpz(10) ** digits, digits + 2
+        whole = self._by_ball(lambda ball: (ball * int(scale) + HALF).floor().unique_fmpz())
+        if whole is not None:
+            return int(whole)
         while True:
             low, high = (int((2 * scale * end + 1) // 2) for end in self._enclosed(reached))
             if low == high:
@@ -361,8 +380,8 @@ class Algebraic(Digits):
         """
         if isinstance(self._exact, _RATIONAL):
             return Interval.point(self._exact)
-        nearest, unit = self._near(digits), mpq(1, mpz(10) ** digits)
-        return Interval(nearest - unit, nearest + unit)
+        nearest, scale = self._multiple(digits), mpz(10) ** digits
+        return Interval(mpq(nearest - 1, scale), mpq(nearest + 1, scale))
 
     def minimal_polynomial(self) -> list[int]:
         """Return the coefficients of the irreducible integer polynomial that vanishes at this number, constant term

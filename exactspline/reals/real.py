@@ -452,8 +452,7 @@ class Expression(Real):
         return super()._found() if found is None else None if isinstance(found, bool) else found
 
     def _height(self) -> int:
-        height: int = _folded(self, _is_leaf, methodcaller("_height"), _height_of)
-        return height
+        return cast(int, _folded(self, _is_leaf, methodcaller("_height"), _height_of))
 
     def _annihilator(self) -> fmpz_poly:
         if self._operation is _root:

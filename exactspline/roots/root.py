@@ -17,10 +17,9 @@ from exactspline.polynomials.bernstein import in_parameter
 from exactspline.polynomials.elimination import ONE, X, linear, primitive, without_quadratic_zero
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero, Zero
 from exactspline.polynomials.zero_places import enclosures, sign_at
+from exactspline.reals.algebraic import PRECISION
 from exactspline.reals.real import UNASKED, RationalNumber, Real, zero_of
 
-#: The precision of the balls around a zero.
-PRECISION = 128
 #: More bits than an interval certified in doubles has, so that a part of it has other ends, or is a small ball.
 INSIDE = 72
 
@@ -413,12 +412,16 @@ class Root(Real, Displayed):
         fill(self, _exact=value, _narrowest=Interval.point(value))
 
     def _enclosed(self, digits: int) -> Interval:
-        if (ball := self.ball) is not None and self.segment is not None and self._narrowest is None:
-            with ctx.workprec(PRECISION):
-                t = arb(to_fmpq(self.segment.low)) + arb(to_fmpq(self.segment.width)) * (ball / (1 + ball))
-            if (ends := ball_ends(t)).width * mpz(10) ** max(digits, 0) <= 1:
-                return ends
+        near = None if self._narrowest else self._at_hand()
+        if near is not None and (ends := ball_ends(near)).width * mpz(10) ** max(digits, 0) <= 1:
+            return ends
         return self.refine(digits)
+
+    def _at_hand(self) -> arb | None:
+        if (ball := self.ball) is None or self.segment is None:
+            return None
+        with ctx.workprec(PRECISION):
+            return arb(to_fmpq(self.segment.low)) + arb(to_fmpq(self.segment.width)) * (ball / (1 + ball))
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """Return the correctly rounded double; this is faster for a root that was isolated in doubles."""

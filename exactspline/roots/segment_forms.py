@@ -131,6 +131,9 @@ class ImageValue(ValueAt):
         """The denominator of the map."""
         return self._quotient()[1]
 
+    def _at_hand(self) -> None:
+        """No ball takes no refinement."""
+
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """The correctly rounded double; this is faster for a common point that was found in doubles."""
         known = self._image.local.nearest(self._sides[0], rounding) if self._image.local else nan

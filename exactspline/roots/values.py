@@ -12,20 +12,22 @@ from typing import cast, overload
 from flint import arb, ctx, fmpq_poly, fmpz_poly
 
 from exactspline.errors import DomainError
-from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text
+from exactspline.numbers.exact import Number, mpq, mpz, rational, sign, text, to_fmpq
 from exactspline.numbers.intervals import Interval, Side, ball_around, ball_ends
 from exactspline.numbers.once import fill
 from exactspline.polynomials import elimination
-from exactspline.polynomials.bernstein import over_common_denominator
+from exactspline.polynomials.bernstein import over_common_denominator, raiser
+from exactspline.reals.algebraic import PRECISION
 from exactspline.reals.real import UNASKED, Real, square_root
-from exactspline.roots.root import PRECISION, Root
+from exactspline.roots.root import Root
 from exactspline.splines.bspline import BSpline, in_powers
 from exactspline.splines.knots import Mesh
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.type_checks import curve_of
 
-#: The digits of a place with which balls begin, and guard bits in addition to those of the requested digits.
-SHORT, GUARD = 10, 64
+#: The digits of a place with which balls begin that decide a sign, and those from which numbers are written; guard
+#: bits in addition to those of the requested digits.
+SHORT, WRITTEN, GUARD = 10, 20, 64
 
 
 class ValueAt(Real):
@@ -38,25 +40,30 @@ class ValueAt(Real):
     (2.8284271247461903, [-8, 0, 1], True)
     """
 
-    __slots__ = ("_reached", "bottom", "place", "top")
+    __slots__ = ("_ball", "bottom", "place", "top")
     top: BSpline
     bottom: BSpline
     place: Real
-    #: The narrowest enclosure computed so far.
-    _reached: Interval | None
+    #: The smallest ball computed so far.
+    _ball: arb | None
 
     def __init__(self, top: BSpline, bottom: BSpline, place: Real) -> None:
-        fill(self, top=top, bottom=bottom, place=place, _reached=None, **UNASKED)
+        fill(self, top=top, bottom=bottom, place=place, _ball=None, **UNASKED)
 
     def __reduce__(self) -> tuple[object, ...]:
         return ValueAt, (self.top, self.bottom, self.place)
 
     def _enclosed(self, digits: int) -> Interval:
-        known, unit = self._reached, mpq(1, mpz(10) ** max(digits, 0))
-        if known is None or known.width > unit:
-            known = next(ends for ends in map(ball_ends, self._balls(digits)) if ends.width <= unit)
-            fill(self, _reached=known)
+        known, unit = ball_ends(cast(arb, self._at_hand())), mpq(1, mpz(10) ** max(digits, 0))
+        if known.width > unit:
+            near, known = next(found for x in self._balls(digits) if (found := (x, ball_ends(x)))[1].width <= unit)
+            fill(self, _ball=near)
         return known
+
+    def _at_hand(self) -> arb | None:
+        if self._ball is None:
+            fill(self, _ball=next(self._balls(WRITTEN)))
+        return self._ball
 
     def _balls(self, digits: int) -> Iterator[arb]:
         above, below = (_balls(f, self.place, digits + 5) for f in (self.top, self.bottom))
@@ -67,6 +74,8 @@ class ValueAt(Real):
                 yield ball
 
     def _against_number(self, t: mpq) -> int:
+        if side := self._by_ball(lambda ball: sign(ball - to_fmpq(t))):
+            return side
         low, high = self._enclosed(SHORT)
         if not low <= t <= high:
             return 1 if t < low else -1
@@ -80,24 +89,29 @@ class ValueAt(Real):
         return elimination.quotient_at(self.place._annihilator(), *self._in_terms()[1:])
 
     def _found(self) -> Real | None:
-        if self._is_certainly_neither():
+        local = self._in_local_parameter()
+        if local and elimination.without_quadratic_zero(cast(Root, self.place).local_polynomial, *local):
             return None
         place = self.place.in_closed_form()
         if place is None:
             return super()._found()
+        if local:
+            low, high = cast(Interval, cast(Root, self.place).segment)
+            place = (place - low) / (high - place)
         # the polynomials modulo that of the place are linear
         modulus = fmpq_poly(place._annihilator())
-        top, bottom = (place * rational(p[1]) + rational(p[0]) for p in (q % modulus for q in self._in_terms()[1:]))
+        rests = [fmpq_poly(p) % modulus for p in local or self._in_terms()[1:]]
+        top, bottom = (place * rational(p[1]) + rational(p[0]) for p in rests)
         return (top / bottom).in_closed_form()
 
-    def _is_certainly_neither(self) -> bool:
-        """Whether it is certain, by polynomials in the local parameter of its place, that it is neither rational nor
-        quadratic.
+    def _in_local_parameter(self) -> list[fmpz_poly]:
+        """Numerator and denominator as polynomials of ``z = t/(1 − t)``, where t is the local parameter of the place;
+        empty where the segment of the place is not known.
         """
-        highest = max(self.top.degree, self.bottom.degree)
         parts = [(_segment_of_root(f.mesh, self.place), f) for f in (self.top, self.bottom)]
-        raised = [f.numerators[i] * fmpz_poly([1, 1]) ** (highest - f.degree) for i, f in parts if i is not None]
-        return len(raised) == 2 and elimination.without_quadratic_zero(cast(Root, self.place).local_polynomial, *raised)
+        highest, (above, below) = max(f.degree for _, f in parts), [f.denominators[i or 0] for i, f in parts]
+        raised = [f.numerators[i] * raiser(highest - f.degree) for i, f in parts if i is not None]
+        return [raised[0] * below, raised[1] * above] if len(raised) == 2 else []
 
     def _height(self) -> int:
         parts = over_common_denominator([(p.numer(), p.denom()) for p in self._in_terms()[1:]])[0]
@@ -171,7 +185,8 @@ def evaluate(
 def within(domain: Interval, place: Real) -> None:
     """Raise `DomainError` for an irrational number outside a domain."""
     a, b = domain
-    if not a < place < b:
+    inside = place.segment if isinstance(place, Root) else None
+    if not (inside and domain.contains(inside)) and not a < place < b:
         raise DomainError(f"the root is outside the domain [{text(a)}, {text(b)}]", remedy="stay inside")
 
 
@@ -198,6 +213,13 @@ def _local_balls(mesh: Mesh, place: Real, digits: int = SHORT) -> Iterator[tuple
                 z = ball_around(*(x / (1 - x) for x in (mesh.local(i, low), mesh.local(i, high))))
             yield i, bits, z
         digits *= 2
+
+
+def local_ball(mesh: Mesh, place: Real) -> tuple[int, arb] | None:
+    """The segment that has an irrational root strictly inside, and a ball around ``z = t/(1 − t)`` for its local
+    parameter t; None for other numbers and where it is not known.
+    """
+    return None if _segment_of_root(mesh, place) is None else next(_local_balls(mesh, place, WRITTEN))[::2]
 
 
 def _segment_of_root(mesh: Mesh, place: Real) -> int | None:

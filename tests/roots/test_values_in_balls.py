@@ -1,17 +1,19 @@
 """Values and signs of splines at irrational numbers, by balls, compared with exact arithmetic with square roots."""
 
+import pickle
 import random
 from itertools import pairwise
 
 import pytest
+from flint import fmpz_poly
 from gmpy2 import mpq
 
 from exactspline import BSpline, Nurbs, example, zeros
 from exactspline.geometry.analysis.curves import analyse
-from exactspline.geometry.curves.values import curvature, torsion
+from exactspline.geometry.curves.values import CurvatureAt, curvature, signed_square, torsion
 from exactspline.polynomials.elimination import without_quadratic_zero
 from exactspline.reals.real import Real, square_root
-from exactspline.roots.values import evaluate, segment_of, sign_at, value_at
+from exactspline.roots.values import evaluate, exact_place, segment_of, sign_at, value_at
 
 
 def hostile_points(chance, n):
@@ -121,8 +123,6 @@ def test_negative_weights_do_not_change_curvature():
 @pytest.mark.parametrize("seed", range(3))
 def test_no_quadratic_value_is_called_neither(seed):
     """Values in a field of degree 4 or 6 with a quadratic number in it; the polynomial may have other zeros, too."""
-    from flint import fmpz_poly
-
     chance = random.Random(seed)
     for _ in range(40):
         a, b, k = chance.randint(-9, 9), chance.choice((2, 3, 5, 7)), chance.choice((2, 3))
@@ -133,3 +133,67 @@ def test_no_quadratic_value_is_called_neither(seed):
             assert not without_quadratic_zero(modulus, inner * 3 + 1, fmpz_poly([5]))
             assert not without_quadratic_zero(modulus, inner, inner + 1)
             assert not without_quadratic_zero(modulus, fmpz_poly([7]), fmpz_poly([2]))
+            # square roots of squares of quadratic numbers, of a rational number, and of 0
+            for top, bottom in ((inner * 3 + 1, fmpz_poly([5])), (inner, inner + 1), (m, inner + 1)):
+                assert not without_quadratic_zero(modulus, top**2, bottom**2, squared=True)
+            assert not without_quadratic_zero(modulus, fmpz_poly([chance.randint(1, 99)]), fmpz_poly([2]), squared=True)
+
+
+def test_square_roots_outside_every_quadratic_field():
+    """The fourth root of 3, and the square root of 3 + √2, whose square is quadratic; √(3 + 2√2) is 1 + √2."""
+    fourth, root = fmpz_poly([-3, 0, 0, 0, 1]), fmpz_poly([-2, 0, 0, 0, 1])
+    one, square = fmpz_poly([1]), fmpz_poly([0, 0, 1])
+    assert without_quadratic_zero(fourth, square, one, squared=True)
+    assert without_quadratic_zero(root, square + 3, one, squared=True)
+    assert not without_quadratic_zero(root, square * 2 + 3, one, squared=True)
+
+
+def curves_with_features(chance):
+    """A curve in the plane or in space, polynomial or rational, of integers or doubles."""
+    n, dimension = chance.randint(2, 5), chance.choice((2, 2, 3))
+    whole = chance.random() < 0.7
+    numbers = [[chance.randint(-9, 9) for _ in range(dimension)] for _ in range(n + 2)]
+    points = numbers if whole else [[mpq(x + chance.random()) for x in row] for row in numbers]
+    weights = chance.choice((None, [chance.randint(1, 5) for _ in range(n + 2)]))
+    return Nurbs(n, [0] * (n + 1) + [1] + [2] * (n + 1), points, weights)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_curvature_by_a_ball_is_the_exact_one(seed):
+    """Its digits, its closed form, its sign and its pickle; at an inflection it is 0."""
+    chance, found = random.Random(seed), 0
+    for _ in range(12):
+        curve = curves_with_features(chance)
+        facts = analyse(curve)
+        for feature in (*facts.inflections, *facts.curvature_extrema):
+            if feature.root.exact is not None:
+                continue
+            place = exact_place(feature.root)
+            near = curvature(curve, place)
+            found += isinstance(near, CurvatureAt)
+            exact = near.exactly() if isinstance(near, CurvatureAt) else Real(0)
+            assert near.double() == exact.double()
+            assert near.sign == exact.sign
+            for digits in (5, 18, 40):
+                assert near.enclosure(digits).meets(exact.enclosure(digits))
+                assert near.around(digits) == exact.around(digits)
+            assert near.closed_form == exact.closed_form
+            assert near == exact == pickle.loads(pickle.dumps(near))
+    assert found > 10
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_square_of_curvature_at_knots(seed):
+    """By the ends of a segment: as by the derivatives with respect to the parameter, on both sides of a knot."""
+    chance = random.Random(seed)
+    for _ in range(20):
+        curve = curves_with_features(chance)
+        for t, side in ((0, "right"), (1, "left"), (1, "right"), (2, "left")):
+            first, second = (curve.derivative(k, t, side) for k in (1, 2))
+            square, product = sum(x * x for x in first), sum(x * y for x, y in zip(first, second, strict=True))
+            if not square:
+                continue
+            sign, top, bottom = signed_square(curve, mpq(t), left=side == "left")
+            assert mpq(top, bottom) == (square * sum(y * y for y in second) - product**2) / square**3
+            turning = first[0] * second[1] - first[1] * second[0]
+            assert sign == (1 if curve.dimension == 3 else (turning > 0) - (turning < 0))

@@ -14,7 +14,6 @@ from exactspline.geometry.curves.kinds import Feature
 from exactspline.geometry.curves.values import (
     curvature,
     in_plane_or_space,
-    is_singular,
     point_at,
     segment_at,
     signed_square,
@@ -268,9 +267,7 @@ def _curvature(curve: Nurbs, place: mpq | Real, rounding: Rounding, side: Side, 
     if not isinstance(place, Real):
         sign, top, bottom = signed_square(curve, place, left=left)
         return _rounded_root(sign, top, bottom, rounding) if bottom else nan
-    if is_singular(curve, segment_at(curve, place, side), place, side):
-        return nan
-    return _rounded(curvature(curve, place, side), rounding)
+    return _defined(lambda: [curvature(curve, place, side)], 1, rounding)[0]
 
 
 def _of_surface(

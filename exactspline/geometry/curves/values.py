@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from itertools import pairwise, starmap
-from typing import Any
+from typing import Any, cast
 
-from flint import fmpz, fmpz_poly
+from flint import arb, ctx, fmpz, fmpz_poly
 
 from exactspline.errors import DomainError, ShapeError
 from exactspline.geometry.curves.facts import facts_of
@@ -15,16 +17,21 @@ from exactspline.geometry.curves.plane_programs import BENDING, CURVATURE, SPEED
 from exactspline.geometry.derived.derive import part, plane, space
 from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
-from exactspline.language.vector import Vector, cross, det, norm2
-from exactspline.numbers.exact import Number, mpq, ratio, text
+from exactspline.language.vector import Vector, norm2
+from exactspline.numbers.exact import Number, mpq, ratio, scalar, text
 from exactspline.numbers.exact import sign as sign_of
-from exactspline.numbers.intervals import Interval, Side
+from exactspline.numbers.intervals import Interval, Side, ball_around
+from exactspline.numbers.once import fill
 from exactspline.papers import find
-from exactspline.polynomials.bernstein import ONE, is_square_class, without_content
+from exactspline.polynomials.bernstein import ONE, is_square_class, over_common_denominator, raiser, without_content
+from exactspline.polynomials.elimination import primitive, without_quadratic_zero
 from exactspline.polynomials.factors import factorize_square_free
 from exactspline.polynomials.isolation import zero_on_segment
+from exactspline.reals.algebraic import PRECISION
+from exactspline.reals.ball import InBalls
 from exactspline.reals.real import Real, square_root_parts
-from exactspline.roots.values import exact_place, segment_of, sign_at, signed_root, value_at, within
+from exactspline.roots.root import Root
+from exactspline.roots.values import exact_place, local_ball, segment_of, sign_at, signed_root, value_at, within
 from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.inputs import checked_side
@@ -87,10 +94,64 @@ def curvature(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> 
         if not bottom:
             raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
         return signed_root(sign, Real(mpq(top, bottom)))
+    found = local_ball(curve.mesh, place)
+    near = found and _curvature_near(curve, *found, cast(Root, place))
+    return _exact_curvature(curve, place, side) if near is None else near
+
+
+def _exact_curvature(curve: Nurbs, place: Real, side: Side | str = Side.RIGHT) -> Real:
+    """The curvature at an irrational parameter by exact forms."""
     i = segment_at(curve, place, side)
     refuse_singular(curve, i, place, side)
-    turning, above, below = facts_of(curve).once(("curvature on a segment", i), lambda: _curvature_forms(curve, i))
-    return signed_root(1 if curve.dimension == 3 else sign_at(turning, place), value_at(above, below, place))
+    *forms, w = _forms_on(curve, i)
+    bent = forms[BENDING] if curve.dimension == 3 else forms[CURVATURE] ** 2
+    sign = 1 if curve.dimension == 3 else sign_at(forms[CURVATURE] * w, place)
+    return signed_root(sign, value_at(bent * w**6, forms[SPEED] ** 3, place))
+
+
+class CurvatureAt(InBalls):
+    """The curvature at a root inside a segment, which is not 0, by a ball; `large` may prove that it is neither
+    rational nor quadratic.
+    """
+
+    __slots__ = ("large",)
+    large: Callable[[], bool]
+
+    def __init__(self, near: arb, large: Callable[[], bool], exactly: Callable[[], Real]) -> None:
+        super().__init__(partial(_ball, near, exactly), exactly)
+        fill(self, large=large)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return cast("tuple[object, ...]", cast(Any, self.exactly)().__reduce__())
+
+    def _at_hand(self) -> arb:
+        return self.ball(0)
+
+    def _found(self) -> Real | None:
+        return None if self.large() else super()._found()
+
+
+def _ball(near: arb, exactly: Callable[[], Real], bits: int) -> arb:
+    """A ball around a number for this many bits."""
+    return near if near.rad() < arb((1, 30 - bits)) else ball_around(*exactly().enclosure(3 * bits // 10))
+
+
+def _curvature_near(curve: Nurbs, i: int, z: arb, place: Root) -> Real | None:
+    """The curvature at a root inside a segment by the ball around its local parameter z; None if the ball does not show
+    that γ′ ≠ 0 and which sign κ has.
+    """
+    polynomials = _local_polynomials(curve, i)
+    turning, top, bottom = _squared([[p, p.derivative(), p.derivative().derivative()] for p in polynomials])
+    with ctx.workprec(PRECISION):
+        sign, below = 1 if curve.dimension == 3 else sign_of(turning(z)), bottom(z)
+        squared = top(z) / below
+        near = squared.sqrt() * sign
+    if not below > 0 or (sign and not squared > 0):
+        return None
+    if sign:
+        large = partial(without_quadratic_zero, place.local_polynomial, top, bottom, squared=True)
+        return CurvatureAt(near, large, cache(partial(_exact_curvature, curve, place)))
+    return None if turning % primitive(place.local_polynomial) else Real(0)
 
 
 def in_plane_or_space(curve: Nurbs) -> Nurbs:
@@ -112,14 +173,29 @@ def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:
     >>> signed_square(Nurbs(2, [0, 0, 0, 1, 1, 1], [(0, 0), ("1/2", 0), (1, 1)]), mpq(1, 2), left=False)
     (1, 67108864, 134217728)
     """
-    *p, (w, slope, bend) = curve.evaluation.numbers(t, 2, left=left)
-    first, second = (Vector(*[w * row[k] - of_w * row[0] for row in p]) for k, of_w in ((1, slope), (2, bend)))
-    if curve.dimension == 3:
-        sign, turned = 1, norm2(cross(first, second))
-    else:
-        turning = det(first, second)
-        sign, turned = sign_of(turning), turning * turning
-    return sign, turned * w**4, norm2(first) ** 3
+    turning, top, bottom = _squared(curve.evaluation.numbers(t, 2, left=left))
+    return sign_of(turning), top, bottom
+
+
+def _local_polynomials(curve: Nurbs, i: int) -> list[fmpz_poly]:
+    """The coordinates and the weight function of a segment, up to a common factor, as polynomials of
+    ``z = t/(1 − t)`` for its local parameter t.
+    """
+    splines = curve.p if curve.polynomial else (*curve.p, curve.w)
+    parts, common = over_common_denominator([(f.numerators[i], f.denominators[i]) for f in splines])
+    return [*parts, raiser(curve.degree) * common] if curve.polynomial else parts
+
+
+def _squared(rows: Sequence[Sequence[Any]]) -> tuple[Any, Any, Any]:
+    """A number with the sign of κ (in space 1) and κ² as a quotient, by the coordinates and the weight, each with its
+    first two derivatives.
+    """
+    *p, (w, slope, bend) = rows
+    first, second = [w * x[1] - slope * x[0] for x in p], [w * x[2] - bend * x[0] for x in p]
+    squared = scalar(first, first)
+    turning = 1 if len(p) == 3 else first[0] * second[1] - first[1] * second[0]
+    turned = squared * scalar(second, second) - scalar(first, second) ** 2 if len(p) == 3 else turning * turning
+    return turning, turned * w**4, squared**3
 
 
 def _forms_on(curve: Nurbs, i: int) -> list[BSpline]:
@@ -138,13 +214,6 @@ def _computed_forms(curve: Nurbs, i: int) -> list[BSpline]:
     w = (fmpz_poly([1]), ONE) if curve.polynomial else (operands[-1], fmpz(below))
     forms: list[Any] = [*zip(made, made[len(program.terms) :], strict=False), w]
     return [BSpline.from_forms(degree, mesh, (), [form]) for degree, form in zip(degrees, forms, strict=True)]
-
-
-def _curvature_forms(curve: Nurbs, i: int) -> tuple[BSpline, BSpline, BSpline]:
-    """In the plane a spline with the sign of κ on a segment; numerator and denominator of κ² there."""
-    *forms, w = _forms_on(curve, i)
-    bent = forms[BENDING] if curve.dimension == 3 else forms[CURVATURE] ** 2
-    return forms[CURVATURE] * w, bent * w**6, forms[SPEED] ** 3
 
 
 def torsion(curve: Nurbs, t: Number | Real, side: Side | str = Side.RIGHT) -> Real:
@@ -186,13 +255,8 @@ def segment_at(curve: Nurbs, place: mpq | Real, side: Side | str) -> int:
 
 def refuse_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> None:
     """Raise `DomainError` where γ′ = 0 at a parameter on a segment."""
-    if is_singular(curve, i, place, side):
+    if sign_at(_forms_on(curve, i)[SPEED], place, side) == 0:
         raise DomainError(f"γ′ = 0 {_named(place)}", remedy="choose another parameter")
-
-
-def is_singular(curve: Nurbs, i: int, place: mpq | Real, side: Side | str) -> bool:
-    """Whether γ′ = 0 at a parameter on a segment."""
-    return sign_at(_forms_on(curve, i)[SPEED], place, side) == 0
 
 
 def _named(place: mpq | Real) -> str:
