@@ -8,6 +8,7 @@ from gmpy2 import mpq
 
 import exactspline as xs
 from exactspline.errors import ShapeError
+from exactspline.geometry.recognition.candidates import off_every_conic
 from exactspline.geometry.recognition.pieces import recognized, rounded_up, signs
 from tests.campaigns import recognition as campaign
 
@@ -19,6 +20,28 @@ def test_arcs_that_are_exact_rounded_moved_and_none():
     found = campaign.campaign(40)
     assert not [what for what, count in found.items() if count and what.startswith("WRONG")]
     assert found["arcs moved by a tenth of epsilon"] == 40
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_points_near_a_conic_are_not_said_to_beoff_every_conic(seed):
+    """Points of conics and of pairs of lines, each moved by almost the limit; those of a cubic are off all."""
+    chance, off = Random(seed), 0
+    for _ in range(60):
+        size, limit, kind = mpq(10) ** chance.randint(-3, 3), mpq(10) ** chance.randint(-9, -1), chance.randrange(3)
+        a, b, c, d, e = [mpq(chance.randint(-99, 99), 7) for _ in range(5)]
+        ts = [mpq(t) for t in sorted(chance.sample(range(-30, 30), chance.randint(6, 9)))]
+        w = [t * t + 1 if kind == 1 else mpq(1) for t in ts]
+        bent = [abs(t) if kind == 2 else t * t for t in ts]
+        exact = [((a + b * t + c * u) / v, (d * t + e * u) / v) for t, u, v in zip(ts, bent, w, strict=True)]
+        moves = [chance.choice(((1, 0), (0, -1), (mpq(3, 5), mpq(4, 5)))) for _ in ts]
+        almost = limit * mpq(999, 1000)
+        points = [
+            tuple(size * (x + almost * y) for x, y in zip(point, move, strict=True))
+            for point, move in zip(exact, moves, strict=True)
+        ]
+        assert not off_every_conic(points, size * limit)
+        off += off_every_conic([(size * t, size * t**3 / 100) for t in ts], size * limit / 1000)
+    assert off > 30
 
 
 def test_surfaces_and_curves_in_space():

@@ -9,6 +9,7 @@ from itertools import pairwise
 from operator import mul
 
 import flint
+from flint import arb, arb_mat
 
 from exactspline.geometry.recognition.shapes import (
     NOTHING,
@@ -25,6 +26,7 @@ from exactspline.geometry.recognition.shapes import (
     upper_square_root,
 )
 from exactspline.numbers.exact import decimal_unit, from_flint, mpq, over_one_denominator, scalar, to_fmpq
+from exactspline.reals.algebraic import PRECISION
 
 #: The largest number of points from which a shape is guessed.
 MOST_POINTS = 24
@@ -50,6 +52,8 @@ def candidates(points: Sequence[Point], limit: mpq) -> Iterator[CurveShape]:
     >>> print(line)
     line: point (0, 0), direction (1, 2)
     """
+    if off_every_conic(points, limit):
+        return
     squared = limit * limit
     if (line := _line(points)) is not None and all_near(line, points, squared):
         yield line
@@ -259,6 +263,31 @@ def _shortened(circle: Circle, points: Sequence[Point]) -> Circle | None:
 
 
 # ---- conics
+
+
+def off_every_conic(points: Sequence[Point], limit: mpq) -> bool:
+    """Whether it is certain, by balls around the coordinates, that no conic and no line of the plane is within a limit
+    of all points: the rows of monomials of six points of a conic are linearly dependent. False decides nothing.
+
+    >>> points = [(mpq(x), mpq(x**3)) for x in range(6)]
+    >>> off_every_conic(points, mpq(1, 10**6)), off_every_conic(points, mpq(1))
+    (True, False)
+    """
+    some = _spread(points, 6)
+    if len(some) < 6 or len(some[0]) > 2:
+        return False
+    numbers, unit = over_one_denominator([x for point in some for x in point])
+    places = [(x - numbers[0], y - numbers[1]) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+    exponent = -max(max(abs(x), abs(y)) for x, y in places).bit_length()
+    with flint.ctx.workprec(PRECISION):
+        reach = arb(0, arb(to_fmpq(limit * unit)) * arb((1, exponent)))
+        around = [(arb((x, exponent)) + reach, arb((y, exponent)) + reach) for x, y in places]
+        rows = arb_mat([[x * x, x * y, y * y, x, y, 1] for x, y in around])
+        try:
+            # with an approximate inverse the balls stay small
+            return not (rows.mid().inv() * rows).det().contains(0)
+        except ZeroDivisionError:
+            return False
 
 
 def _monomials(point: Point) -> list[mpq]:
