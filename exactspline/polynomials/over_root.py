@@ -10,6 +10,7 @@ from math import gcd, lcm
 from flint import fmpq, fmpq_poly, fmpz, fmpz_mpoly, fmpz_poly, nmod_poly
 
 from exactspline.numbers.exact import mpq, to_fmpq
+from exactspline.numbers.once import cached_property
 from exactspline.polynomials.cost import QUESTION, check_reach
 from exactspline.polynomials.two_parameters import rows_of
 
@@ -103,8 +104,7 @@ class OverRoot:
     @property
     def radical(self) -> OverRoot:
         """A polynomial with the same zeros, all simple; 0 for 0."""
-        slope = self.derivative
-        return self // self.gcd(slope) if slope else self
+        return self // self.gcd(self.derivative) if self.degree > 1 else self
 
     def gcd(self, other: OverRoot) -> OverRoot:
         """The greatest common divisor with the first coefficient 1, computed modulo primes. The result is proved: it
@@ -119,7 +119,7 @@ class OverRoot:
         if not (self and other):
             given = self or other
             return given * OverRoot([_inverse(given.coefficients[-1], self.modulus)], self.modulus) if given else given
-        images = _Images(self.modulus.degree())
+        images = _Images(self.modulus)
         spent = 0
         for step, prime in enumerate(large_primes()):
             is_tried = step & (step + 1) == 0  # after 1, 2, 4, 8, … primes
@@ -135,23 +135,29 @@ class OverRoot:
                 return OverRoot([1], self.modulus)
             images.add(image, prime)
             if is_tried:
-                found = images.rational(self.modulus)
+                found = images.rational()
                 if found is not None and not (divmod(self, found)[1] or divmod(other, found)[1]):
                     return found
         raise AssertionError("there are more primes")
 
 
 class _Images:
-    """Images of a polynomial of degree below `length` modulo several primes, combined into one image."""
+    """Images modulo several primes of a polynomial with `length` coefficients, the first one 1, combined into one
+    image. The others are multiplied by the derivative of the polynomial of the field: they then have much smaller
+    numerators and denominators (R. Dedekind: an integral number times this derivative is a polynomial in the root with
+    integer coefficients, if the polynomial is monic).
+    """
 
-    def __init__(self, size: int) -> None:
-        self.size, self.length = size, 1 << 60
+    def __init__(self, field: fmpq_poly) -> None:
+        self.field, self.size, self.length = field, field.degree(), 1 << 60
+        self.slope = field.numer().derivative()
         self.values: list[fmpz] = []
         self.modulus = fmpz(1)
 
     def add(self, image: Sequence[nmod_poly], prime: int) -> None:
         """Combine with a further image; earlier images of a higher degree are wrong and dropped."""
-        own = [fmpz(int(c[k])) for c in image for k in range(self.size)]
+        field, slope = (nmod_poly(p, prime) for p in (self.field.numer(), self.slope))
+        own = [fmpz(int(c[k])) for c in (x * slope % field for x in image[:-1]) for k in range(self.size)]
         if len(image) < self.length:
             self.length, self.values, self.modulus = len(image), own, fmpz(prime)
             return
@@ -171,7 +177,7 @@ class _Images:
         ratios = bits * (RATIOS * (RATIO + bits // RATIO_BITS) + len(self.values))
         return ratios + (degree + 2) * len(self.values) * self.size * (PRODUCT + PRODUCT_BITS * bits // 2)
 
-    def rational(self, field: fmpq_poly) -> OverRoot | None:
+    def rational(self) -> OverRoot | None:
         """The polynomial with small rational numbers of these images as its coefficients, if there is one; the
         denominators found are tried for the following coefficients.
         """
@@ -183,7 +189,11 @@ class _Images:
             found.append(value / bottom)
             bottom *= value.q
         rows = [found[k : k + self.size] for k in range(0, len(found), self.size)]
-        return OverRoot([fmpq_poly(row) for row in rows], field)
+        return OverRoot([*(fmpq_poly(row) * self._per_slope for row in rows), 1], self.field)
+
+    @cached_property
+    def _per_slope(self) -> fmpq_poly:
+        return _inverse(fmpq_poly(self.slope), self.field)
 
 
 def large_primes() -> Iterator[int]:

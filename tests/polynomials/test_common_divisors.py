@@ -113,7 +113,7 @@ def test_a_divisor_over_a_field_is_counted_with_its_reconstruction():
     one, other = (OverRoot(shared, modulus) * OverRoot([k, 1], modulus) for k in (2, 5))
     with drawing_on(Budget()) as paid:
         assert one.gcd(other).coefficients == OverRoot(shared, modulus).coefficients
-    assert paid.total - paid.remaining > 30 * 10**6
+    assert paid.total - paid.remaining > 20 * 10**6
     with drawing_on(Budget(10**7)), pytest.raises(ReachError, match="a common divisor over the field"):
         one.gcd(other)
 
