@@ -4,7 +4,7 @@ poles.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from typing import Any, TypeVar, cast
 
@@ -337,13 +337,7 @@ class SpecialPairs(OneLine):
         )
 
     def __add__(self, other: SpecialPairs) -> SpecialPairs:
-        return SpecialPairs(
-            self.lines + other.lines,
-            self.planes + other.planes,
-            self.pairs + other.pairs,
-            self.poles + other.poles,
-            self.undecided + other.undecided,
-        )
+        return SpecialPairs(*[getattr(self, each.name) + getattr(other, each.name) for each in fields(self)])
 
 
 def _conditions(cause: Cause) -> Conditions:

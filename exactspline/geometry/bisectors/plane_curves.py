@@ -6,12 +6,15 @@ Source: Elber and Kim, Bisector curves of planar rational curves, Computer-Aided
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import chain, compress, product
+from math import comb
+from typing import NamedTuple
 
-from flint import fmpz, fmpz_mpoly
+from flint import fmpz, fmpz_mat, fmpz_mpoly
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
 from exactspline.errors import ReachError, ShapeError
@@ -20,11 +23,11 @@ from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.system import SegmentOfCurve, piece
 from exactspline.language.vector import Vector, det, dot, norm2, perp
 from exactspline.numbers.exact import Number, mpq, over_one_denominator
-from exactspline.numbers.intervals import Box, Interval, Side
+from exactspline.numbers.intervals import UNIT, Box, Interval, Side
 from exactspline.numbers.once import cached_property
 from exactspline.numbers.search import Search
 from exactspline.one_line import one_line
-from exactspline.polynomials.patch_forms import PatchForm, Sized, rounded
+from exactspline.polynomials.patch_forms import PatchForm, rounded
 from exactspline.polynomials.two_parameters import S, T, as_form, as_forms, lifted
 from exactspline.questions.answers import NamedNumbers
 from exactspline.reals.real import Real, real
@@ -48,13 +51,12 @@ from exactspline.splines.type_checks import curve_of
 #: bisections of a box, and of the parameter of the other points; and the number of boxes per segment that may be
 #: compared with a segment.
 FIRST, DEPTH, DEPTH_OF_OTHER, BOXES = 4, 20, 8, 6000
-#: The number of parts that are bisected at a time in search of a point that is certainly nearer than a foot.
-PARTS = 2
-#: The cost of the function of a pair of segments, in comparisons of a box with a segment.
-PAIR = 50
+#: The number of equal steps in which a point that is certainly nearer than a foot is searched, twice.
+STEPS = 16
+#: The cost of the function of a pair of segments, in comparisons of a box with a segment; and the least number of boxes
+#: of a pair that may be compared with all segments.
+PAIR, SHARE = 50, 50
 HALF = mpq(1, 2)
-#: The points on every segment that are compared with the feet.
-COMPARED = (mpq(0), mpq(1, 3), mpq(2, 3), mpq(1))
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,10 @@ class TruePairs:
         return f"<TruePairs in {len(self.kept)} boxes, undecided in {len(self.undecided)}>"
 
 
+#: Intervals of the parameter of a segment, and the forms that compare its points with a foot.
+Families = list[tuple[Interval, list[PatchForm]]]
+
+
 class _Foot:
     """Whether no point of a curve is nearer to B than the foot on one of its segments; s is the parameter of the foot,
     t that of the foot on the other curve.
@@ -87,19 +93,19 @@ class _Foot:
 
     @cached_property
     def against(self) -> list[PatchForm]:
-        """For some points of the curve, forms that have the opposite sign of `across` where the point is nearer. The
-        first form has it where B lies beyond the centre of curvature at the foot.
+        """For the middle of every segment, forms that have the opposite sign of `across` where it is nearer. The first
+        form has it where B lies beyond the centre of curvature at the foot.
         """
         square, twice = (f.compose(S, S) for f in self._over_own)
         found = [as_form(square * self.across - twice * self.along)]
-        for segment, share in product(self.curve, COMPARED):
-            x, y, weight = segment.homogeneous(segment.interval.at(share))
+        for segment in self.curve:
+            x, y, weight = segment.homogeneous(segment.interval.middle)
             d = Vector(self.w * x - self.p[0] * weight, self.w * y - self.p[1] * weight)
             found.append(as_form(norm2(d) * self.across - dot(d, self.normal) * self.along * weight))
         return found
 
     @cached_property
-    def families(self) -> list[tuple[Interval, list[PatchForm]]]:
+    def families(self) -> Families:
         """``|D|²`` and ``w(u) (D·a⊥)`` with a common constant factor, for every segment of the curve, with the
         parameter u. On the segment of the foot both are divided by ``(u − s)²``.
         """
@@ -119,23 +125,20 @@ class _Foot:
         d = Vector(*[self.w * y - v * x for x, y in zip(self.p, q, strict=True)])
         return norm2(d), dot(d, self.normal) * v
 
-    def verdict(self, box: Box) -> bool | None:
-        """Whether no point is nearer for all pairs of a box (True) or for none (False), if either is certain."""
-        across, along = (form.part(box) for form in self.factors)
-        sign = across.sign
-        if not sign:
-            return None
-        return _of_all(verdict_on(sign, across, along, forms, box.first, sides) for sides, forms in self.families)
-
-
-def _of_all(verdicts: Iterable[bool | None]) -> bool | None:
-    """False as soon as one verdict is False; otherwise None if one of them is, or True."""
-    found: bool | None = True
-    for verdict in verdicts:
-        if verdict is False:
-            return False
-        found = found and verdict
-    return found
+    def compared(self, box: Box, families: Families) -> Families | None:
+        """Those of these segments that may have a point nearer than the foot for some pairs of a box; None if for all
+        pairs of the box a point is nearer.
+        """
+        (across, along), found = (form.part(box) for form in self.factors), Families()
+        if not across.sign:
+            return families
+        for sides, forms in families:
+            verdict = verdict_on(across.sign, across, along, forms, box.first, sides)
+            if verdict is False:
+                return None
+            if verdict is None:
+                found.append((sides, forms))
+        return found
 
 
 def verdict_on(
@@ -171,18 +174,23 @@ def verdict_on(
 
 def _lowest(form: PatchForm, sides: Interval) -> mpq:
     """About the parameter at which a form in u alone is least."""
-    parts = [(form, sides)]
-    for _ in range(DEPTH_OF_OTHER):
-        halves = [half for own, side in parts for half in zip(own.halves(1), side.halves, strict=True)]
-        parts = sorted(halves, key=lambda half: half[0].range[0])[:PARTS]
-    least, side = min(parts, key=lambda part: min(part[0].corners))
-    low, high, *_ = least.corners
-    return side.low if low < high else side.high
+    for _ in range(2):
+        values = (form.matrix * _at_steps(form.degree[1])).entries()
+        k = values.index(min(values))
+        near = Interval(mpq(max(k - 1, 0), STEPS), mpq(min(k + 1, STEPS), STEPS))
+        form, lowest, sides = form.part(Box(UNIT.first, near)), sides.at(mpq(k, STEPS)), Interval(*map(sides.at, near))
+    return lowest
+
+
+@lru_cache(maxsize=16)
+def _at_steps(n: int) -> fmpz_mat:
+    """The matrix to the values of a form of degree n in one parameter at equidistant points, up to one constant."""
+    return fmpz_mat([[comb(n, i) * k**i * (STEPS - k) ** (n - i) for k in range(STEPS + 1)] for i in range(n + 1)])
 
 
 def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
     """The pairs of true feet of the bisector of two plane curves (see `TruePairs`). The work is limited to an amount
-    per segment; boxes beyond the limit are undecided.
+    per segment, shared by the pairs of segments; the boxes that are left at the limit are undecided.
 
     >>> line, other = (Nurbs(1, [0, 0, 1, 1], points) for points in ([(0, 0), (2, 0)], [(0, 1), (3, 4)]))
     >>> found = true_pairs(line, other)
@@ -191,82 +199,82 @@ def true_pairs(first: Nurbs, second: Nurbs) -> TruePairs:
     """
     one, other = ([piece(curve, i) for i in range(curve.segments)] for curve in (first, second))
     kept, undecided, left = list[Box](), list[Box](), BOXES * (len(one) + len(other))
-    for i, j in product(range(len(one)), range(len(other))):
-        if left < 0 or one[i].stands_still or other[j].stands_still:
+    pairs = list(product(range(len(one)), range(len(other))))
+    for k, (i, j) in enumerate(pairs):
+        share = max(left // (len(pairs) - k), SHARE * (len(one) + len(other)))
+        if left <= 0 or one[i].stands_still or other[j].stands_still:
             undecided.append(Box(one[i].interval, other[j].interval))
         else:
-            left = _Search(one, i, other, j).run(left - PAIR, kept, undecided)
+            left -= share - _sort(one, i, other, j, share - PAIR, kept, undecided)
     return TruePairs(tuple(kept), tuple(undecided))
 
 
-class _Search:
-    """The boxes of one pair of segments."""
-
-    def __init__(self, one: Sequence[SegmentOfCurve], i: int, other: Sequence[SegmentOfCurve], j: int) -> None:
-        self.sides = Box(one[i].interval, other[j].interval)
-        self.function = self._rounded(as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant))
-        self.segments, self.made = len(one) + len(other), lambda: (_Foot(one, i, other[j]), _Foot(other, j, one[i]))
-
-    @cached_property
-    def feet(self) -> tuple[_Foot, _Foot]:
-        """The feet on the two curves."""
-        return self.made()
-
-    def _rounded(self, form: PatchForm) -> PatchForm:
-        """A form on the whole rectangle."""
-        return rounded(form.part(self.sides))
-
-    @property
-    def forms(self) -> list[PatchForm]:
-        """The function, and the forms of both feet in the order of the parameters of the function."""
-        first, second = ((foot.factors[0], *foot.against) for foot in self.feet)
-        turned = [PatchForm(form.matrix.transpose()) for form in second]
-        return [self.function, *map(self._rounded, (*first, *turned))]
-
-    def run(self, left: int, kept: list[Box], undecided: list[Box]) -> int:
-        """Sort the boxes with zeros of the function, and return how many comparisons with a segment remain."""
-        if self.function.sign in (1, -1):
-            return left - 1
-        search, count = Search([Sized(self.sides, self.forms)], depth_first=True), len(self.feet[0].against) + 1
-        for part in search:
-            function, *others = part.forms
-            left -= 1
-            if function.sign in (1, -1):
-                continue
-            left -= self.segments
-            if any(map(_is_nearer, (others[:count], others[count:]))):
-                continue
-            verdict = self._verdict(part.box) if search.depth >= FIRST else None
-            if verdict is False:
-                continue
-            if verdict:
-                kept.append(part.box)
-            else:
-                search.split(_halves(part, search.depth % 2) if search.depth < DEPTH and left >= 0 else None)
-        undecided += [part.box for part in search.open]
-        return left
-
-    def _verdict(self, box: Box) -> bool | None:
-        """Whether no point is nearer than the feet for all pairs of a box (True) or for none (False), if either is
-        certain.
-        """
-        turned = Box(box.second, box.first)
-        return _of_all(foot.verdict(own) for foot, own in zip(self.feet, (box, turned), strict=True))
-
-
-def _halves(part: Sized, direction: int) -> list[Sized]:
-    """The upper and the lower half of a box; a form that has a sign keeps it, and is left as it is."""
-    pairs = [(form, form) if form.sign else form.halves(direction) for form in part.forms]
-    forms = map(list, zip(*pairs, strict=True))
-    return [Sized(box, own) for box, own in zip(part.box.halves(direction), forms, strict=True)][::-1]
-
-
-def _is_nearer(forms: Sequence[PatchForm]) -> bool:
-    """Whether for all pairs of a box one of the points with the forms `against` a foot is certainly nearer; the first
-    form is `across`.
+def _sort(
+    one: Sequence[SegmentOfCurve],
+    i: int,
+    other: Sequence[SegmentOfCurve],
+    j: int,
+    left: int,
+    kept: list[Box],
+    undecided: list[Box],
+) -> int:
+    """Sort the boxes with zeros of the function of a pair of segments, and return how many comparisons of a box with a
+    segment remain of those that are left.
     """
-    sign, *signs = [form.sign for form in forms]
-    return bool(sign and -sign in signs) or {1, -1} <= set(signs)
+    sides = Box(one[i].interval, other[j].interval)
+    function = rounded(as_form(PlanePair(one[i].over(0), other[j].over(1)).equidistant).part(sides))
+    if function.sign in (1, -1):
+        return left - 1
+    feet = _Foot(one, i, other[j]), _Foot(other, j, one[i])
+    first, second = ([foot.factors[0], *foot.against] for foot in feet)
+    turned = [PatchForm(form.matrix.transpose()) for form in second]
+    against = [[rounded(form.part(sides)) for form in forms] for forms in (first, turned)]
+    search = Search([_Part(sides, [[function], *against], [foot.families for foot in feet])])
+    for part in search:
+        left -= 1 + sum(map(len, part.families))
+        (function,), *rest = part.forms
+        against = [_without_needless(forms) for forms in rest]
+        if function.sign in (1, -1) or not all(against):
+            continue
+        boxes, families = [part.box, Box(part.box.second, part.box.first)], list[Families]()
+        for foot, box, given in zip(feet, boxes, part.families, strict=True):
+            compared = foot.compared(box, given) if search.depth >= FIRST else given
+            families += [] if compared is None else [compared]
+        if len(families) == 2 and not any(families):
+            kept.append(part.box)
+        elif len(families) == 2:
+            smaller = _Part(part.box, [[function], *against], families)
+            search.split(smaller.halves(search.depth % 2) if search.depth < DEPTH and left >= 0 else None)
+    undecided += [part.box for part in search.open]
+    return left
+
+
+class _Part(NamedTuple):
+    """A box, and what is still to be decided: the forms (the function, and those `against` each foot), and of both feet
+    the segments that may have a nearer point.
+    """
+
+    box: Box
+    forms: list[list[PatchForm]]
+    families: list[Families]
+
+    def halves(self, direction: int) -> list[_Part]:
+        """The two halves of a box; a form that has a sign keeps it, and is left as it is."""
+        pairs = [[(form, form) if form.sign else form.halves(direction) for form in own] for own in self.forms]
+        boxes = enumerate(self.box.halves(direction))
+        return [_Part(box, [[pair[k] for pair in own] for own in pairs], self.families) for k, box in boxes]
+
+
+def _without_needless(forms: list[PatchForm]) -> list[PatchForm]:
+    """Of forms `against` a foot, with `across` in front, those that may decide a part of the box; none if for all pairs
+    of the box a point is certainly nearer.
+    """
+    across, *others = forms
+    with_sign = {form.sign: form for form in others}
+    if {1, -1} <= with_sign.keys() or (across.sign and -across.sign in with_sign):
+        return []
+    one_of_each = [] if across.sign else [form for sign, form in with_sign.items() if sign]
+    return [across, *one_of_each, *(form for form in others if form.sign is None)]
 
 
 class PlaneBisector(Bisector):
