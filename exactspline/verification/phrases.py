@@ -52,7 +52,7 @@ def on_whole_patch() -> str:
 @Phrase
 def along_line(parameter: Parameter, value: mpq, place: Place) -> str:
     """A place on one of two curves, the point on the other being fixed."""
-    return f"{place}, at {parameter} = {value} of the other curve,"
+    return f"{place}, at {parameter} = {value} of the other curve"
 
 
 # ---- free arguments, and the part that was tried
