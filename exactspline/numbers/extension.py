@@ -41,6 +41,7 @@ def loaded(name: str, right: Callable[[Callable[..., int]], bool], *arguments: t
     library = _library()
     if library is None:
         return None
-    function = getattr(library, name)
-    function.argtypes, function.restype = list(arguments) or None, c_int
+    # by item a new object, whose types nobody else sets: by attribute there is one for all
+    function = library[name]
+    function.argtypes, function.restype = arguments, c_int
     return function if right(function) else None

@@ -147,6 +147,9 @@ class Phrase(Generic[*Ts]):
         """The phrase about these things."""
         return Said(self, about)
 
+    def __repr__(self) -> str:
+        return f"<Phrase {self.words.__name__}>"
+
     def __reduce__(self) -> str:
         return self.words.__name__
 

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import weakref
 from array import array
-from ctypes import byref
+from ctypes import byref, c_void_p
 from functools import cache
 from hashlib import sha256
 from math import isnan
@@ -327,3 +327,11 @@ def test_without_the_extension_the_answers_are_the_same():
         told.append(done.stdout.split(" ", 1))
     assert told[0][0] == "True"
     assert told[0][1] == told[1][1]
+
+
+@needs_extension
+def test_who_loads_a_function_without_types_leaves_those_of_others():
+    """Ended the process before: there was one function for all, and then its pointers were cut to 32 bits."""
+    typed = extension.loaded("curve_points", lambda function: True, *[c_void_p] * 5)
+    assert extension.loaded("curve_points", lambda function: True) is not typed
+    assert [*typed.argtypes] == [c_void_p] * 5

@@ -140,8 +140,7 @@ class DegreeClaim(Claim):
 
     def decide(self, dimension: int, polynomial: bool) -> Finding:
         """The finding for symbolic d."""
-        finding = _decide(self, dimension, polynomial)
-        return replace(finding, relation=self.relation)
+        return replace(_decide(self, dimension, polynomial), relation=self.relation)
 
     def part_tried(self, own: Evaluation) -> Evidence | None:
         """The part that is tried: everything for a nominal degree, which is the same on every segment, with any point
