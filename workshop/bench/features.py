@@ -24,7 +24,9 @@ if TYPE_CHECKING:
 FEATURES = "features"
 OCC = "Open CASCADE"
 FOUND = "inflections and extrema of a curve, mean of 400"
-MADE = "construction of a curve, mean of 400"
+MADE = "construction of a curve from exact numbers, mean of 400"
+FROM_DOUBLES = "construction of a curve from doubles, mean of 400"
+FROM_TEXT = "construction of a curve from decimals as text, mean of 400"
 BOTH = "construction of a curve and its inflections and extrema, mean of 400"
 PLACED = "inflections and extrema of a curve, their kinds and parameters as doubles, mean of 400"
 FIRST = "first use: how much longer 400 curves take in a new process than later"
@@ -123,14 +125,24 @@ def _one_by_one(curves: Sequence[Nurbs]) -> Iterator[Row]:
     theirs = _compared_with_occ(data, timed, making)
     both: dict[str, Timed] = {OURS: (lambda _: _solved(_again(curves)), lambda: None)}
     placed: dict[str, Timed] = {OURS: (_placed, timed[OURS][1])}
+    written = [(n, [*map(str, t)], [[*map(str, p)] for p in d], [str(x) for x in w or []]) for n, t, d, w in data]
+    given: dict[str, Timed] = {OURS: (lambda _: [Nurbs.from_floats(*each) for each in data], lambda: None)}
+    texts: dict[str, Timed] = {OURS: (lambda _: [Nurbs(n, t, d, w or None) for n, t, d, w in written], lambda: None)}
     if theirs is not None:
         both[OCC] = lambda _: _solved_by_occ([_in_occ(*each) for each in data]), lambda: None
         placed[OCC] = _placed_by_occ, timed[OCC][1]
+        given[OCC] = making[OCC]
     took = {who: value / count for who, value in best(timed).items()}
     note = f"{ours[0]} inflections, {ours[1]} extrema"
     yield bounded(FEATURES, FOUND, took[OURS], "ms", Fraction(6, 10), note)
     yield from _theirs(FOUND, took, theirs, {OCC: Fraction(1)})
-    for case, each, limits in ((BOTH, both, {OCC: Fraction(1)}), (PLACED, placed, {}), (MADE, making, {})):
+    for case, each, limits in (
+        (BOTH, both, {OCC: Fraction(1)}),
+        (PLACED, placed, {OCC: Fraction(2)}),
+        (MADE, making, {}),
+        (FROM_DOUBLES, given, {}),
+        (FROM_TEXT, texts, {}),
+    ):
         yield from compared(FEATURES, case, {who: value / count for who, value in best(each).items()}, limits)
     yield bounded(FEATURES, FIRST, None if first is None else 1000 * first - count * took[OURS], "ms", 20)
 

