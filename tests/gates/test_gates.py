@@ -421,6 +421,13 @@ def test_no_exception_is_caught_whole():
     assert not planted("def f(x):\n    try:\n        x()\n    except ValueError:\n        pass", gates.caught_whole)
 
 
+def test_no_cast_needs_a_name_that_only_the_type_checker_has():
+    """Passed before, also by mypy: a `NameError` where the cast is run."""
+    assert not gates.found_in(gates.trees(), gates.casts_without_a_type)
+    code = "if TYPE_CHECKING:\n    from a import A\n\ndef f(x):\n    return cast({}, x)"
+    assert [planted(code.format(name), gates.casts_without_a_type) for name in ("A", "'A'", "B")] == [["f"], [], []]
+
+
 # ---- law 7: what only developers run is not in the wheel
 
 BY_NAME = {

@@ -462,6 +462,20 @@ def caught_whole(tree: ast.Module) -> Iterator[str]:
             yield place
 
 
+# ---- what is imported for the type checker alone
+
+
+def casts_without_a_type(tree: ast.Module) -> Iterator[str]:
+    """Where a name that is imported for the type checker alone is the first argument of `cast`, not as a text."""
+    blocks = [node for node in ast.walk(tree) if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"]
+    imported = [each for block in blocks for each in block.body if isinstance(each, (ast.Import, ast.ImportFrom))]
+    alone = {each.asname or each.name for one in imported for each in one.names}
+    for place, node in scopes(tree):
+        is_cast = isinstance(node, ast.Call) and ast.unparse(node.func) == "cast"
+        if is_cast and {each.id for each in ast.walk(node.args[0]) if isinstance(each, ast.Name)} & alone:
+            yield place
+
+
 # ---- what is private
 
 
