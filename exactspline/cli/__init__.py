@@ -6,11 +6,11 @@ from __future__ import annotations
 
 import gc
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import click
 
-from exactspline.cli.commands import COMMANDS, DIFFERS, ELSEWHERE, Entry
+from exactspline.cli.commands import COMMANDS, ELSEWHERE, Entry
 from exactspline.cli.output import INTERRUPTED, guard_output, to_stderr
 from exactspline.errors import ExactSplineError, command_name
 from exactspline.hooks import named
@@ -23,7 +23,7 @@ ABOUT = "B-splines and NURBS in exact rational arithmetic: identities proved or 
 FIRST = ("prove", "errata", "inspect ellipse")
 
 
-def _examples(examples: tuple[str, ...], title: str) -> str:
+def _examples(examples: Sequence[str], title: str) -> str:
     """Examples, one per line: click keeps the lines of a paragraph that begins with a backspace."""
     lines = "\n".join(f"  {command_name()} {example}" for example in examples)
     return f"\b\n{title}:\n{lines}"
@@ -58,7 +58,7 @@ class _Commands(click.Group):
 
         made = named(f"exactspline.{entry.home}")
         epilog = f"{_examples(entry.examples, 'Examples')}\n\n{_statuses(entry)}"
-        return command_of(made, cmd_name, entry.short, epilog)
+        return command_of(made, cmd_name, entry, epilog)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the commands, each with a short description."""
@@ -152,7 +152,7 @@ app = _Commands(
     "exactspline",
     ABOUT,
     COMMANDS,
-    epilog=f"{_examples(FIRST, 'Begin with')}\n\nExit status: 0 success; 1 {DIFFERS}; 2 bad input.",
+    epilog=f"{_examples(FIRST, 'Begin with')}\n\nExit status: 0 success; 1 {COMMANDS['prove'].status_1}; 2 bad input.",
     params=[
         _eager("--version", _version, "Show the version.", is_flag=True),
         _eager(

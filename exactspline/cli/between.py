@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
 
 from exactspline.cli.common import (
-    CURVE_HELP,
-    Drawing,
-    Places,
     answer_about_pair,
     check_distance,
     check_output,
@@ -22,47 +18,19 @@ from exactspline.cli.common import (
     with_distance,
     write_theorems,
 )
-from exactspline.cli.output import Argument, Option, Output, printing
+from exactspline.cli.output import Output, printing
 
 
 @printing
 def between(
     out: Output,
-    curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[
-        str, Argument(help="A second curve of the same dimension; or give two surfaces as CURVE and OTHER.")
-    ],
-    ask: Annotated[
-        list[str] | None,
-        Option(
-            "--ask",
-            metavar="QUESTION",
-            help="Answer only this question about the two curves, such as intersections, distance or "
-            "intersections_within:1/1000 (see list questions). May be repeated.",
-        ),
-    ] = None,
-    digits: Places = 12,
-    epsilon: Annotated[
-        str,
-        Option(
-            "--epsilon",
-            metavar="E",
-            help="Also consider all pairs of curves whose control points and weights differ by at most E "
-            "from those of the given curves: list the common points that each of these pairs has, and "
-            "the common points that some of them may have. E is a number, or 'written', which means half a "
-            "unit of the last digit of each curve.",
-        ),
-    ] = "",
-    plot: Drawing = "",
-    emit_coq: Annotated[
-        str,
-        Option(
-            "--emit-coq",
-            metavar="FILE",
-            help="Write a file for the proof assistant Coq, with the theorem that two plane curves, each "
-            "of one segment, meet at these points and no others.",
-        ),
-    ] = "",
+    curve: str,
+    other: str,
+    ask: list[str] | None = None,
+    digits: int = 12,
+    epsilon: str = "",
+    plot: str = "",
+    emit_coq: str = "",
 ) -> None:
     """Find all common points of two curves, exactly and with multiplicities, and all common arcs. If the curves do not
     meet, find the pairs of points at the least distance. For two surfaces, find the common arcs of their borders, and

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from exactspline.cli.common import CURVE_HELP, Drawing, Places, check_output, load_curve, tell_written
-from exactspline.cli.output import Argument, Option, Output, printing
+from exactspline.cli.common import check_output, load_curve, tell_written
+from exactspline.cli.output import Output, printing
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,25 +28,13 @@ class _Answer(NamedTuple):
 @printing
 def bisector(
     out: Output,
-    curve: Annotated[str, Argument(help=CURVE_HELP)],
-    other: Annotated[str, Argument(help="A second curve of the same dimension; or give --point instead.")] = "",
-    point: Annotated[str, Option("--point", metavar="POINT", help='A point, such as "1,1/2" or "0,0,2".')] = "",
-    variant: Annotated[
-        str,
-        Option(
-            "--variant",
-            metavar="VARIANT",
-            help=(
-                "The variant of the formula. For two curves: naive, levelled, paper, symmetric, "
-                "minimal. For a point and a space curve: naive, explicit, direct."
-            ),
-        ),
-    ] = "",
-    digits: Places = 12,
-    output: Annotated[
-        str, Option("--output", "-o", metavar="FILE", help="Write the pieces as exact control points (JSON).")
-    ] = "",
-    plot: Drawing = "",
+    curve: str,
+    other: str = "",
+    point: str = "",
+    variant: str = "",
+    digits: int = 12,
+    output: str = "",
+    plot: str = "",
 ) -> None:
     """Compute the bisector of two space curves (a surface, in addition to lines, planes, single pairs and poles), of a
     point and a space curve (a ruled surface), of two plane curves (correspondences of parameters, and the boxes in

@@ -8,9 +8,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from exactspline.cli.output import Exit, Option, OptionsError, Output, is_quiet, leave_out, ticking, to_stderr
+from exactspline.cli.output import Exit, OptionsError, Output, is_quiet, leave_out, ticking, to_stderr
 from exactspline.errors import ClaimError, CurveFileError, ExactSplineError, NumberError, command_name, counted
 from exactspline.hooks import named
 from exactspline.numbers.exact import rational
@@ -123,51 +123,6 @@ def _answer(
 G = TypeVar("G")
 V = TypeVar("V")
 C = TypeVar("C", "Nurbs", "NurbsSurface")
-
-CURVE_HELP = (
-    "A file of curves (JSON, SVG, STEP, …), a part of a file (font.ttf:glyph, drawing.svg:id, drawing.dxf:layer), the "
-    "name of an example curve, or - for standard input."
-)
-#: The options by which other commands take a place in a paper, each with an example.
-PLACES = {"--section": "5.4", "--claim": "C4.2b"}
-CurveFiles = Annotated[list[str] | None, Option("--curve", metavar="CURVE", help=f"{CURVE_HELP} May be repeated.")]
-Papers = Annotated[
-    list[str] | None,
-    Option(
-        "--paper",
-        metavar="PAPER",
-        help="A folder with formulas.py and claims.toml, the name of a paper that comes with exactspline, or all. "
-        "May be repeated.",
-    ),
-]
-Trust = Annotated[bool, Option("--trust", help="Run your own formulas unchecked: they may be any Python.")]
-Limit = Annotated[
-    int | None,
-    Option(
-        "--limit",
-        metavar="SECONDS",
-        min=1,
-        help="The processor time for one row or one answer. A row that takes longer is UNDECIDED, with this reason.",
-    ),
-]
-Approximate = Annotated[
-    str,
-    Option(
-        "--approximate",
-        metavar="E",
-        help="Read an arc that has no exact rational form (such as an arc with irrational ends) as a "
-        "rational arc within the distance E. Without this option such an arc is skipped.",
-    ),
-]
-Digits = Annotated[
-    int, Option("--digits", metavar="N", min=0, max=100_000, help="Show exact numbers with N significant digits too.")
-]
-Places = Annotated[
-    int, Option("--digits", metavar="N", min=1, max=100_000, help="The number of digits of irrational numbers.")
-]
-Drawing = Annotated[str, Option("--plot", metavar="FILE", help="Draw a picture into a .svg, .png or .pdf file.")]
-Surfaces = Annotated[bool, Option("--surfaces", help="Take the surfaces of a file that also holds curves.")]
-Exact = Annotated[bool, Option("--exact", help="Show long fractions in full instead of as decimals.")]
 
 
 def claims_of_papers(names: Sequence[str] | None, trust: bool) -> tuple[Claim, ...]:

@@ -5,11 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 from exactspline.cli.common import (
-    Approximate,
-    Surfaces,
     check_approximate,
     check_distance,
     check_output,
@@ -17,7 +15,7 @@ from exactspline.cli.common import (
     tell_notes,
     tell_skipped,
 )
-from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, leave_out, printing, ticking, to_stderr
+from exactspline.cli.output import Exit, OptionsError, Output, leave_out, printing, ticking, to_stderr
 from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, ShapeError, counted
@@ -29,55 +27,21 @@ if TYPE_CHECKING:
     from exactspline.splines.surface import NurbsSurface
 
 
-Source = Annotated[str, Argument(metavar="IN", help="A file, font.ttf:glyph, or - for standard input.")]
-Target = Annotated[str, Argument(metavar="OUT", help="A file, or - for standard output.")]
-FromFormat = Annotated[
-    str, Option("--from", metavar="FORMAT", help="The format of IN; by default it is recognized by the content.")
-]
-ToFormat = Annotated[
-    str, Option("--to", metavar="FORMAT", help="The format of OUT; by default it is recognized by the suffix.")
-]
-Rounding = Annotated[bool, Option("--round", help="Round numbers that the format cannot hold exactly to doubles.")]
-Only = Annotated[list[str] | None, Option("--only", metavar="NAME", help="Take only this curve; may be repeated.")]
-Degree = Annotated[
-    int | None, Option("--degree", metavar="N", min=0, help="The degree, if the file holds only points.")
-]
-Knots = Annotated[str, Option("--knots", metavar="KNOTS", help="All knots, if the file holds only points.")]
-Snap = Annotated[
-    str,
-    Option(
-        "--snap",
-        metavar="line,circle",
-        help="Replace pieces that are nearly lines or arcs of circles by exact lines or arcs with the same "
-        "end points. Each replaced piece is listed with a proved bound of the distance.",
-    ),
-]
-Epsilon = Annotated[
-    str,
-    Option(
-        "--epsilon",
-        metavar="E",
-        help="With --snap: the largest distance, which is a number, or 'written' (half a unit of the "
-        "last digit); by default 1e-9 of the curve's size.",
-    ),
-]
-
-
 @printing
 def convert(
     out: Output,
-    source: Source,
-    target: Target,
-    from_format: FromFormat = "",
-    to_format: ToFormat = "",
-    rounding: Rounding = False,
-    only: Only = None,
-    surfaces: Surfaces = False,
-    approximate: Approximate = "",
-    degree: Degree = None,
-    knots: Knots = "",
-    snap: Snap = "",
-    epsilon: Epsilon = "",
+    source: str,
+    target: str,
+    from_format: str = "",
+    to_format: str = "",
+    rounding: bool = False,
+    only: list[str] | None = None,
+    surfaces: bool = False,
+    approximate: str = "",
+    degree: int | None = None,
+    knots: str = "",
+    snap: str = "",
+    epsilon: str = "",
 ) -> None:
     """Convert curves or surfaces between formats without rounding. Skipped entities are named on standard error; if a
     curve is skipped, the exit status is 2.

@@ -2,42 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from exactspline.cli.common import Trust, check_output, load_curve
-from exactspline.cli.output import Argument, Option, Output, print_json, printing, unchecked
+from exactspline.cli.common import check_output, load_curve
+from exactspline.cli.output import Output, print_json, printing, unchecked
 
 
 @printing
-def derive(
-    out: Output,
-    name: Annotated[
-        str,
-        Argument(
-            help="A construction (evolute, zero_curvature, critical_curvature, …) or a formula (f2, g2, …; "
-            "see list formulas). A formula of your own is FOLDER:NAME or file.py:NAME."
-        ),
-    ],
-    curve: Annotated[
-        str,
-        Argument(
-            help="A file with one curve, the name of an example curve, or - for standard input. For a "
-            "formula of surfaces give a surface in the same ways."
-        ),
-    ],
-    output: Annotated[
-        str, Option("--output", "-o", metavar="FILE", help="The file to write instead of standard output.")
-    ] = "",
-    variant: Annotated[
-        str,
-        Option(
-            "--variant",
-            metavar="VARIANT",
-            help="The variant of the construction: naive (without cancellation), paper, minimal, ….",
-        ),
-    ] = "minimal",
-    trust: Trust = False,
-) -> None:
+def derive(out: Output, name: str, curve: str, output: str = "", variant: str = "minimal", trust: bool = False) -> None:
     """Write the exact control points of a derived curve or function (JSON)."""
     from exactspline.cli.common import read_surface
     from exactspline.display.forms import derived_data

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Mapping
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
-from exactspline.cli.common import CURVE_HELP, CurveFiles, Limit, Papers, Trust, also_in_their_planes, loaded
-from exactspline.cli.output import Argument, Exit, Option, Output, document, print_json, printing, tracked
+from exactspline.cli.common import also_in_their_planes, loaded
+from exactspline.cli.output import Exit, Output, document, print_json, printing, tracked
 from exactspline.display.sheet import Sheet
 from exactspline.errors import ExactSplineError, FormulaError, ShapeError, nearest
 
@@ -25,36 +25,17 @@ if TYPE_CHECKING:
 @printing
 def degrees(
     out: Output,
-    name: Annotated[
-        list[str] | None,
-        Argument(help="Print only these constructions or formulas (evolute, rectifying_developable, …)."),
-    ] = None,
-    curve: CurveFiles = None,
-    formulas: Annotated[
-        bool, Option("--formulas", help="Print every formula of the library instead of the constructions.")
-    ] = False,
-    generic: Annotated[
-        bool, Option("--generic", help="Print the degrees that are proved for the generic curve of degree d.")
-    ] = False,
-    at: Annotated[
-        int | None,
-        Option("--at", metavar="D", min=2, max=1000, help="Print the degrees of --generic as numbers, for d = D."),
-    ] = None,
-    certify: Annotated[
-        bool, Option("--certify", help="Prove that no degree of a minimal form can be lowered (JSON).")
-    ] = False,
-    patch: Annotated[
-        str,
-        Option(
-            "--patch",
-            metavar="M,N",
-            help="With --paper: print the degrees of formulas of surfaces on patches of the degrees M and N.",
-        ),
-    ] = "",
-    paper: Papers = None,
-    trust: Trust = False,
-    limit: Limit = None,
-    as_latex: Annotated[bool, Option("--latex", help="Print tables of LaTeX.")] = False,
+    name: list[str] | None = None,
+    curve: list[str] | None = None,
+    formulas: bool = False,
+    generic: bool = False,
+    at: int | None = None,
+    certify: bool = False,
+    patch: str = "",
+    paper: list[str] | None = None,
+    trust: bool = False,
+    limit: int | None = None,
+    as_latex: bool = False,
 ) -> None:
     """Print the nominal degree (in d), the represented degree, the true degree and the number of control points of
     every construction, in each variant: naive (without cancellation), paper, minimal, ….
@@ -253,27 +234,12 @@ def _generic(out: Output, names: list[str], at: int | None) -> None:
 @printing
 def reduce(
     out: Output,
-    name: Annotated[
-        str,
-        Argument(
-            help="A formula of the library, or a formula of your own: FOLDER:NAME, file.py:function or, "
-            "with --trust, module:function. By default all formulas are reduced."
-        ),
-    ] = "",
-    dimension: Annotated[
-        int | None,
-        Option(
-            "--dimension",
-            metavar="N",
-            min=2,
-            max=7,
-            help="The dimension of the curve; by default the dimension for which the formula is defined.",
-        ),
-    ] = None,
-    polynomial: Annotated[bool, Option("--polynomial", help="Take polynomial curves only (w = 1).")] = False,
-    everything: Annotated[bool, Option("--all", help="Reduce every formula of the library.")] = False,
-    trust: Trust = False,
-    limit: Limit = None,
+    name: str = "",
+    dimension: int | None = None,
+    polynomial: bool = False,
+    everything: bool = False,
+    trust: bool = False,
+    limit: int | None = None,
 ) -> None:
     """Find the reduction of a formula: the factors with their meaning, the formula that remains, and the naive, nominal
     and true degrees.
@@ -359,15 +325,7 @@ WITNESSES = ("conditioning_reduced_worse", "conditioning_reduced_better")
 
 
 @printing
-def conditioning(
-    out: Output,
-    curve: Annotated[
-        list[str] | None, Argument(help=f"{CURVE_HELP} By default two curves with opposite results.")
-    ] = None,
-    construction: Annotated[
-        str, Option("--construction", metavar="NAME", help="The construction: zero_curvature or critical_curvature.")
-    ] = "critical_curvature",
-) -> None:
+def conditioning(out: Output, curve: list[str] | None = None, construction: str = "critical_curvature") -> None:
     """Print the condition number of every zero of every variant of a construction, and the error of the zero in double
     precision.
     """
@@ -391,19 +349,7 @@ def conditioning(
 
 
 @printing
-def identity(
-    out: Output,
-    text: Annotated[
-        str,
-        Argument(
-            metavar="IDENTITY",
-            help='An equation, such as "2*f1 = f1 + f1", "det(γ\', γ\'\') = w^-3 * f2" or "file.py:left = w * right".',
-            instead_of={"-": '-- "-2*f1 = -f1 - f1"'},
-        ),
-    ],
-    trust: Trust = False,
-    limit: Limit = None,
-) -> None:
+def identity(out: Output, text: str, trust: bool = False, limit: int | None = None) -> None:
     """Decide for all curves an identity between formulas, which may be your own. The exit status is 1 if the identity
     does not hold.
     """

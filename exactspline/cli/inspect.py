@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from exactspline.cli.common import (
-    CURVE_HELP,
-    Approximate,
-    Places,
     Read,
-    Surfaces,
     also_in_their_planes,
     answer_about_curves,
     answer_about_surfaces,
@@ -27,7 +23,7 @@ from exactspline.cli.common import (
     with_distance,
     write_theorems,
 )
-from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, printing, ticking
+from exactspline.cli.output import Exit, OptionsError, Output, printing, ticking
 
 if TYPE_CHECKING:
     from exactspline.geometry.analysis.inspection import Report
@@ -35,102 +31,23 @@ if TYPE_CHECKING:
     from exactspline.splines.nurbs import Nurbs
 
 
-Curves = Annotated[list[str], Argument(metavar="CURVE", help=f"{CURVE_HELP} Surfaces are given in the same ways.")]
-Ask = Annotated[
-    list[str] | None,
-    Option(
-        "--ask",
-        metavar="QUESTION",
-        help="Answer only this question, such as value@1/2, derivative:2@0 or length (see list questions): "
-        "exactly, with a certified interval and the correctly rounded double. May be repeated.",
-    ),
-]
-Epsilon = Annotated[
-    str,
-    Option(
-        "--epsilon",
-        metavar="E",
-        help="Also consider all curves whose control points and weights differ by at most E from those of "
-        "the given curve: list the features (of surfaces: the umbilics) that each of these curves "
-        "has, the features that some of them may have, and shapes (such as circles) within E. E is a "
-        "number, or 'written', which means half a unit of the last digit.",
-    ),
-]
-Stability = Annotated[
-    bool,
-    Option(
-        "--stability",
-        help="For curves: also list, for every feature, a size of changes of control points and weights up "
-        "to which the feature is proved to persist, and the size of a change that destroys the "
-        "feature.",
-    ),
-]
-Plot = Annotated[
-    str,
-    Option(
-        "--plot",
-        metavar="FILE",
-        help="Draw the surface, or the curve with the functions whose zeros are the features, into an SVG, "
-        "PNG or PDF file. A surface can also be drawn into an interactive HTML page.",
-    ),
-]
-Coordinates = Annotated[
-    bool, Option("--coordinates", help="Also list the points at which a coordinate has an extremum (for type design).")
-]
-All = Annotated[
-    bool,
-    Option(
-        "--all", help="Also list features that exist only because the numbers of a circle or a sphere were rounded."
-    ),
-]
-InRegion = Annotated[
-    str,
-    Option(
-        "--region",
-        metavar="RULE",
-        help="With --ask: take all curves together as the border of one region with holes, by the rule "
-        "nonzero or even-odd. The questions are area, moments, contains:1,2 and winding_number:1,2.",
-    ),
-]
-Certificates = Annotated[
-    bool, Option("--certificates", help="With --ask: put the certificates of the zero sets into the JSON.")
-]
-CertificateFile = Annotated[
-    str,
-    Option(
-        "--certificate",
-        metavar="FILE",
-        help="Write a certificate: a proof that no zero is missing (JSON; see exactspline.certificates).",
-    ),
-]
-CoqFile = Annotated[
-    str,
-    Option(
-        "--emit-coq",
-        metavar="FILE",
-        help="Write a file for the proof assistant Coq, with theorems that say where the curvature and its "
-        "derivative (in space: the torsion) vanish on this curve.",
-    ),
-]
-
-
 @printing
 def inspect(
     out: Output,
-    curve: Curves,
-    ask: Ask = None,
-    digits: Places = 12,
-    epsilon: Epsilon = "",
-    stability: Stability = False,
-    plot: Plot = "",
-    surfaces: Surfaces = False,
-    approximate: Approximate = "",
-    coordinates: Coordinates = False,
-    with_all: All = False,
-    region: InRegion = "",
-    certificates: Certificates = False,
-    certificate: CertificateFile = "",
-    emit_coq: CoqFile = "",
+    curve: list[str],
+    ask: list[str] | None = None,
+    digits: int = 12,
+    epsilon: str = "",
+    stability: bool = False,
+    plot: str = "",
+    surfaces: bool = False,
+    approximate: str = "",
+    coordinates: bool = False,
+    with_all: bool = False,
+    region: str = "",
+    certificates: bool = False,
+    certificate: str = "",
+    emit_coq: str = "",
 ) -> None:
     """Find the corners, cusps, inflections, curvature extrema and torsion zeros of curves in the plane or in space,
     certified and to any number of digits. For a surface, find the sign of the Gaussian curvature, the parabolic curves,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from exactspline.cli.output import Argument, Output, printing
+from exactspline.cli.output import Output, printing
 from exactspline.display.forms import picked
 from exactspline.display.sheet import Sheet
 
@@ -94,10 +92,7 @@ def questions(out: Output) -> None:
 
 
 @printing
-def words(
-    out: Output,
-    term: Annotated[list[str] | None, Argument(help="Words or signs; by default all words and signs.")] = None,
-) -> None:
+def words(out: Output, term: list[str] | None = None) -> None:
     """Explain the words and signs in tables: nominal, true, minimal, k, m, j, X, P, and every verdict."""
     from exactspline.display.console import glossary, meaning
 

@@ -1,4 +1,4 @@
-"""Commands made from typed functions, whose annotations declare options and arguments; and the output of commands:
+"""Commands made from typed functions and what ``commands.toml`` says of them; and the output of commands:
 tables for people, and JSON, CSV or Markdown for programs. Standard output survives a reader that closes it.
 """
 
@@ -10,43 +10,25 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import wraps
 from itertools import count
 from threading import Timer
 from time import monotonic
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 import click
 from click.exceptions import Exit
 
+from exactspline.cli.commands import Entry, Taken
 from exactspline.display.sheet import Sheet, csv_of, in_markdown
-from exactspline.errors import ExactSplineError, command_name, shown
+from exactspline.errors import ExactSplineError, shown
+from exactspline.hooks import named
 from exactspline.release import releases
 
 if TYPE_CHECKING:
     from rich.progress import Progress
     from typing_extensions import Buffer
-
-
-#: A function that returns the words that complete a typed text.
-Completion = Callable[[str], Sequence[str]]
-
-
-class Option:
-    """An option of a command: its names, the placeholder of its value in the help, and the range of a number."""
-
-    def __init__(
-        self,
-        *names: str,
-        help: str,
-        metavar: str | None = None,
-        min: int | None = None,
-        max: int | None = None,
-        completion: Completion | None = None,
-    ) -> None:
-        self.names, self.help, self.metavar = names, help, metavar
-        self.min, self.max, self.completion = min, max, completion
 
 
 class _Integer(click.IntRange):
@@ -67,28 +49,18 @@ class _Integer(click.IntRange):
         return "an integer" if self.min is None else f"an integer ≥ {self.min}"
 
 
-@dataclass(kw_only=True)
-class Argument:
-    """An argument of a command. The help shows the name of the parameter, or `metavar`. `instead_of` are options under
-    which other commands take such a value, each with an example of the value; under ``-`` stands the form of a value
-    that begins with a minus.
+def command_of(function: Callable[..., object], name: str, entry: Entry, epilog: str) -> click.Command:
+    """The command that calls a function with the values typed by the user; its annotations say of which types they
+    are.
     """
-
-    help: str
-    metavar: str | None = None
-    completion: Completion | None = None
-    instead_of: Mapping[str, str] = field(default_factory=dict)
-
-
-def command_of(function: Callable[..., object], name: str, short_help: str, epilog: str) -> click.Command:
-    """The command that calls a function with the values typed by the user; the annotations say what it takes."""
-    hints = get_type_hints(function, include_extras=True)
+    hints = get_type_hints(function)
+    given = inspect.signature(function).parameters.values()
     return Command(
         name,
         callback=function,
-        params=[_parameter(each, hints[each.name]) for each in inspect.signature(function).parameters.values()],
+        params=[_parameter(each, hints[each.name], entry.taken(each.name)) for each in given],
         help=inspect.getdoc(function),
-        short_help=short_help,
+        short_help=entry.short,
         epilog=epilog,
     )
 
@@ -122,37 +94,41 @@ class _Explained(click.Argument):
     instead_of: Mapping[str, str]
 
 
-def _parameter(given: inspect.Parameter, hint: Any) -> click.Parameter:
-    annotated, mark = get_args(hint)
-    parts = [part for part in get_args(annotated) or (annotated,) if part is not type(None)]
-    several = get_origin(annotated) is list or any(get_origin(part) is list for part in parts)
+def _parameter(given: inspect.Parameter, hint: Any, taken: Taken) -> click.Parameter:
+    parts = [part for part in get_args(hint) or (hint,) if part is not type(None)]
+    several = get_origin(hint) is list or any(get_origin(part) is list for part in parts)
     required = given.default is inspect.Parameter.empty
     fields: dict[str, Any] = {"required": required}
     if several:
         fields["callback"] = _listed
     elif not required:
         fields["default"] = given.default
-    if mark.completion:
-        fields["shell_complete"] = lambda ctx, parameter, typed: list(mark.completion(typed))
-    if isinstance(mark, Argument):
-        metavar = mark.metavar or given.name.upper()
-        made = _Explained(
-            [given.name], nargs=-1 if several else 1, metavar=_shown(metavar, several, required), **fields
-        )
-        made.explained, made.instead_of = mark.help, mark.instead_of
+    if taken.completion:
+        fields["shell_complete"] = lambda ctx, parameter, typed: _begun(taken.completion, typed)
+    if taken.is_argument:
+        metavar = _shown(taken.metavar or given.name.upper(), several, required)
+        made = _Explained([given.name], nargs=-1 if several else 1, metavar=metavar, **fields)
+        made.explained, made.instead_of = taken.help, taken.instead_of
         return made
+    names = [given.name, *(taken.flags or [f"--{given.name.replace('_', '-')}"])]
     if bool in parts:
-        return click.Option([given.name, *mark.names], is_flag=True, help=mark.help, default=False)
+        return click.Option(names, is_flag=True, help=taken.help, default=False)
     number = int in parts or any(int in get_args(part) for part in parts)
     return click.Option(
-        [given.name, *mark.names],
+        names,
         multiple=several,
-        type=_Integer(mark.min, mark.max) if number else str,
-        help=mark.help,
-        metavar=mark.metavar,
+        type=_Integer(taken.min, taken.max) if number else str,
+        help=taken.help,
+        metavar=taken.metavar,
         show_default=not several and bool(given.default) and not required,
         **fields,
     )
+
+
+def _begun(words: str, typed: str) -> list[str]:
+    """Of words, or of those that a function returns (``module:name``), the ones that begin with what was typed."""
+    found = named(f"exactspline.{words}")
+    return [word for word in (found() if callable(found) else found) if word.startswith(typed)]
 
 
 def _shown(metavar: str, several: bool, required: bool) -> str:
@@ -300,15 +276,8 @@ def print_json(data: object) -> None:
     sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=1) + "\n")
 
 
-_FLAGS = {
-    "as_json": Annotated[bool, Option("--json", help=f"Print JSON (see `{command_name()} schema`).")],
-    "as_csv": Annotated[bool, Option("--csv", help="Print comma-separated values.")],
-    "as_markdown": Annotated[bool, Option("--markdown", help="Print Markdown tables.")],
-    "strict": Annotated[
-        bool, Option("--strict", help="Exit with status 2 if a curve, a question or a claim is skipped or undecided.")
-    ],
-    "quiet": Annotated[bool, Option("--quiet", "-q", help="Print no legend and no progress bar.")],
-}
+#: The options of all commands that print something.
+_FLAGS = ("as_json", "as_csv", "as_markdown", "strict", "quiet")
 
 
 def printing(command: Callable[..., None]) -> Callable[..., None]:
@@ -329,15 +298,14 @@ def printing(command: Callable[..., None]) -> Callable[..., None]:
         finally:
             _State.quiet = False
 
-    hints = get_type_hints(command, include_extras=True)
+    hints = get_type_hints(command)
     own = [
         p.replace(annotation=hints[p.name], kind=inspect.Parameter.KEYWORD_ONLY)
         for p in inspect.signature(command).parameters.values()
         if p.name != "out"
     ]
     shared = [
-        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=hint)
-        for name, hint in _FLAGS.items()
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=False, annotation=bool) for name in _FLAGS
     ]
     run.__signature__ = inspect.Signature([*own, *shared])  # type: ignore[attr-defined]  # what the command line reads
     run.__annotations__ = {p.name: p.annotation for p in [*own, *shared]}
@@ -380,7 +348,7 @@ def guard_output() -> None:
 # ---- progress
 
 
-__all__ = ["Argument", "Command", "Exit", "Option", "bar", "command_of", "seldom", "ticking", "tracked"]
+__all__ = ["Command", "Exit", "bar", "command_of", "seldom", "ticking", "tracked"]
 
 V = TypeVar("V")
 #: Seconds before a bar is shown, and between two lines if there is no terminal.

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
 
-from exactspline.cli.output import Argument, Option, Output, printing, tracked
+from exactspline.cli.output import Output, printing, tracked
 from exactspline.display.sheet import Sheet
 
 
-def new(folder: Annotated[str, Argument(help="The folder to write; it must be new or empty.")]) -> None:
+def new(folder: str) -> None:
     """Write a small working paper for you to edit: formulas.py, claims.toml, curves/ and README.md, with comments."""
     from exactspline.display import console
     from exactspline.errors import command_name
@@ -23,16 +22,7 @@ def new(folder: Annotated[str, Argument(help="The folder to write; it must be ne
 
 
 @printing
-def figures(
-    out: Output,
-    folder: Annotated[
-        str, Option("--out", metavar="FOLDER", help="The folder for the pictures; it is created if necessary.")
-    ],
-    figure: Annotated[
-        list[int] | None,
-        Option("--figure", metavar="N", min=1, help="The number of a figure; by default all. May be repeated."),
-    ] = None,
-) -> None:
+def figures(out: Output, folder: str, figure: list[int] | None = None) -> None:
     """Draw the figures of the paper of 2007 (SVG and PNG, surfaces also as interactive HTML). The numbers in the
     captions are computed.
     """

@@ -4,22 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-from exactspline.cli.common import (
-    CurveFiles,
-    Digits,
-    Exact,
-    Limit,
-    Papers,
-    Trust,
-    also_in_their_planes,
-    claims_of_papers,
-    each_read,
-    loaded,
-    tell_written,
-)
-from exactspline.cli.output import Exit, Option, OptionsError, Output, leave_out, printing, tracked
+from exactspline.cli.common import also_in_their_planes, claims_of_papers, each_read, loaded, tell_written
+from exactspline.cli.output import Exit, OptionsError, Output, leave_out, printing, tracked
 from exactspline.errors import ClaimError, nearest
 
 if TYPE_CHECKING:
@@ -31,72 +19,27 @@ if TYPE_CHECKING:
 #: Up to this many claims are listed one by one; more are summarized.
 FEW = 12
 
-Claims = Annotated[
-    list[str] | None,
-    Option(
-        "--claim",
-        metavar="ID",
-        help="The id of a claim, the beginning of ids (C3: all of section 3), or a place (eq. (12)). May be repeated.",
-    ),
-]
-Sections = Annotated[
-    list[str] | None,
-    Option(
-        "--section", metavar="SECTION", help="Take only the claims of this section, for example 4.2. May be repeated."
-    ),
-]
-Verdicts = Annotated[
-    list[str] | None, Option("--verdict", metavar="VERDICT", help="Print only rows with this verdict. May be repeated.")
-]
-Surfaces = Annotated[
-    list[str] | None,
-    Option(
-        "--surface",
-        metavar="SURFACE",
-        help="Check the claims about surfaces (of the paper surfaces, or of --paper) on a surface: a file "
-        "of surfaces, the name of an example surface, or -. May be repeated.",
-    ),
-]
-JudgeName = Annotated[
-    str,
-    Option(
-        "--judge",
-        metavar="JUDGE",
-        help="Add a column with the verdicts of a second program, sympy or coq, on the equalities for all curves.",
-    ),
-]
-Rows = Annotated[bool, Option("--rows", help="Print every row of the ledger instead of a summary.")]
-Fresh = Annotated[
-    bool, Option("--fresh", help="Also decide anew the claims that an earlier run with the same formulas has decided.")
-]
-Page = Annotated[str, Option("--html", metavar="FILE", help="Write the ledger as an HTML page with filters.")]
-Tex = Annotated[str, Option("--tex", metavar="FILE", help="Write every claim as a LaTeX theorem with its proof.")]
-Bib = Annotated[str, Option("--bib", metavar="FILE", help="Write BibTeX entries of the papers and of this release.")]
-Report = Annotated[
-    str, Option("--report", metavar="FILE", help="Write a referee's report as one HTML file that needs no other files.")
-]
-
 
 @printing
 def prove(
     out: Output,
-    claim: Claims = None,
-    curve: CurveFiles = None,
-    surface: Surfaces = None,
-    section: Sections = None,
-    verdict: Verdicts = None,
-    judge: JudgeName = "",
-    rows: Rows = False,
-    html: Page = "",
-    paper: Papers = None,
-    trust: Trust = False,
-    limit: Limit = None,
-    report: Report = "",
-    tex: Tex = "",
-    bib: Bib = "",
-    digits: Digits = 0,
-    exact: Exact = False,
-    fresh: Fresh = False,
+    claim: list[str] | None = None,
+    curve: list[str] | None = None,
+    surface: list[str] | None = None,
+    section: list[str] | None = None,
+    verdict: list[str] | None = None,
+    judge: str = "",
+    rows: bool = False,
+    html: str = "",
+    paper: list[str] | None = None,
+    trust: bool = False,
+    limit: int | None = None,
+    report: str = "",
+    tex: str = "",
+    bib: str = "",
+    digits: int = 0,
+    exact: bool = False,
+    fresh: bool = False,
 ) -> None:
     """Decide every claim of a paper, for all curves at once, and also check every claim exactly on single curves and
     surfaces: on those given by --curve and --surface, by default on the curves in the folder of the paper or on the

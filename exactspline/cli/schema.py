@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from typing import Annotated, Any
+from typing import Any
 
-from exactspline.cli.output import VERSION, Argument, print_json
+from exactspline.cli.output import VERSION, print_json
 from exactspline.errors import ExactSplineError, nearest
 
 #: The schema of a line of `exactspline sweep`, which is not a document of rows.
@@ -16,7 +16,7 @@ class SchemaError(ExactSplineError):
     """A schema that does not exist."""
 
 
-def schema(name: Annotated[str, Argument(help="The name of a schema; by default the names are listed.")] = "") -> None:
+def schema(name: str = "") -> None:
     """Print the JSON Schema of what a command prints with --json."""
     if not name:
         print_json({"version": VERSION, "schemas": sorted([*_schemas(), LINE])})

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-from exactspline.cli.common import PLACES, Digits, Exact, Papers, Trust, claims_of_papers
-from exactspline.cli.output import Argument, Exit, Option, Output, leave_out, printing
+from exactspline.cli.common import claims_of_papers
+from exactspline.cli.output import Exit, Output, leave_out, printing
 from exactspline.display.forms import picked
 from exactspline.display.sheet import COLOURS, Sheet
 from exactspline.errors import ClaimError, command_name, nearest
@@ -25,19 +25,7 @@ FEW = 3
 
 @printing
 def show(
-    out: Output,
-    claim: Annotated[
-        str,
-        Argument(
-            help="The id of a claim, the beginning of ids (C4.2: all of §4.2), a place in the paper (eq. "
-            "(12)), or words of the statement (evolute). By default all claims are listed. If more "
-            "than three claims match, the first claim is shown in full and the others are listed.",
-            instead_of=PLACES,
-        ),
-    ] = "",
-    latex: Annotated[bool, Option("--latex", help="Print each claim as a LaTeX theorem with its proof.")] = False,
-    paper: Papers = None,
-    trust: Trust = False,
+    out: Output, claim: str = "", latex: bool = False, paper: list[str] | None = None, trust: bool = False
 ) -> None:
     """Show a claim in full: the statement, the naive and the reduced side, the factor between the sides, the degrees,
     the verdict, and the source.
@@ -120,17 +108,11 @@ def _print(out: Output, found: list[Statement]) -> None:
 @printing
 def errata(
     out: Output,
-    error: Annotated[
-        list[str] | None,
-        Argument(
-            help="Names of errors (span), ids of claims (C4.2b), or places (5.4, p. 19); by default all errors.",
-            instead_of=PLACES,
-        ),
-    ] = None,
-    paper: Papers = None,
-    trust: Trust = False,
-    digits: Digits = 0,
-    exact: Exact = False,
+    error: list[str] | None = None,
+    paper: list[str] | None = None,
+    trust: bool = False,
+    digits: int = 0,
+    exact: bool = False,
 ) -> None:
     """List the errors of a paper: for each error the printed words with their place, a witness, the corrected
     statement, the reason, and a check that can be pasted into Python.

@@ -10,22 +10,10 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from time import monotonic
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-from exactspline.cli.common import Approximate, check_approximate, with_distance
-from exactspline.cli.output import (
-    INTERRUPTED,
-    Argument,
-    Exit,
-    Option,
-    OptionsError,
-    Output,
-    bar,
-    leave_out,
-    printing,
-    seldom,
-    to_stderr,
-)
+from exactspline.cli.common import check_approximate, with_distance
+from exactspline.cli.output import INTERRUPTED, Exit, OptionsError, Output, bar, leave_out, printing, seldom, to_stderr
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError, counted
 
@@ -36,124 +24,29 @@ if TYPE_CHECKING:
 Tick = Callable[[float, "Line", bool], None]
 
 
-def _completed(given: str) -> list[str]:
-    """The example curves whose names begin with a text; the shell itself completes names of files."""
-    from exactspline.interchange.examples import example_names
-
-    return [name for name in example_names() if name.startswith(given)]
-
-
-def _inspections(given: str) -> list[str]:
+def _findable() -> list[str]:
+    """What completes the option ``--find``."""
     from exactspline.batch.inspections import asked_by_sweeps
 
-    return [name for name in [*asked_by_sweeps(), "all"] if name.startswith(given)]
-
-
-def _backends(given: str) -> list[str]:
-    from exactspline.batch.backends import BACKENDS
-
-    return [name for name in BACKENDS if name.startswith(given)]
-
-
-Corpus = Annotated[
-    list[str] | None,
-    Argument(
-        metavar="CORPUS",
-        help="Files of curves in any readable format, folders of such files, fonts (every contour of every "
-        "glyph), and names of example curves; with --surfaces files of surfaces and names of example "
-        "surfaces.",
-        completion=_completed,
-    ),
-]
-Random = Annotated[
-    list[str] | None,
-    Option(
-        "--random",
-        metavar="WORDS",
-        help="Random curves, described by words such as degree=2-5 segments=1-4 dimension=2 "
-        "rational=no|yes|half bits=10 count=100 seed=1, separated by spaces or commas. May be "
-        "repeated if commas separate the words.",
-    ),
-]
-Find = Annotated[
-    list[str] | None,
-    Option(
-        "--find",
-        metavar="WHAT",
-        help="A question about points, joints or pieces (see `list questions`), or all: every such "
-        "question without an argument. An argument follows after a colon, as in offset_cusps:1/10. "
-        "With --surfaces, a question about surfaces, also at parameters, as in value@1/2,1/3. May be "
-        "repeated. [default: inflections, curvature_extrema, corners; all about surfaces]",
-        completion=_inspections,
-    ),
-]
-Claims = Annotated[
-    list[str] | None, Option("--claim", metavar="ID", help="Check a claim on every curve (see prove). May be repeated.")
-]
-Places = Annotated[
-    int, Option("--digits", metavar="N", min=0, max=10_000, help="The number of digits of irrational parameters.")
-]
-Values = Annotated[
-    bool,
-    Option(
-        "--values", help="Also write the coordinates and the curvature of every point, as correctly rounded doubles."
-    ),
-]
-Surfaces = Annotated[
-    bool, Option("--surfaces", help="Take the surfaces of the corpus, and report the curves as skipped.")
-]
-Epsilon = Annotated[
-    str,
-    Option(
-        "--epsilon",
-        metavar="E",
-        help="Also consider all curves (surfaces) whose control points and weights differ by at most E "
-        "from those of the given one: find the features that each of them has, and the features that "
-        "some of them may have. E also answers the questions of --find that end in _within. E is a "
-        "number, or 'written', which means half a unit of the last digit.",
-    ),
-]
-OutputFile = Annotated[
-    str,
-    Option(
-        "--output",
-        "-o",
-        metavar="FILE",
-        help="The file for the lines: JSON Lines, or Parquet (a folder of parts) for *.parquet; - for standard output, "
-        "without a summary. If FILE exists, the sweep continues after its last complete line.",
-    ),
-]
-Jobs = Annotated[int, Option("--jobs", "-j", metavar="N", min=1, max=4096, help="The number of processes.")]
-Backend = Annotated[
-    str,
-    Option(
-        "--backend",
-        metavar="NAME",
-        help="Where the curves are computed: serial, processes or dask.",
-        completion=_backends,
-    ),
-]
-Scheduler = Annotated[
-    str, Option("--scheduler", metavar="ADDRESS", help="The Dask cluster to use. [default: one on this machine]")
-]
+    return [*asked_by_sweeps(), "all"]
 
 
 @printing
 def sweep(
     out: Output,
-    corpus: Corpus = None,
-    random: Random = None,
-    find: Find = None,
-    claim: Claims = None,
-    digits: Places = 10,
-    values: Values = False,
-    surfaces: Surfaces = False,
-    approximate: Approximate = "",
-    epsilon: Epsilon = "",
-    output: OutputFile = "",
-    jobs: Jobs = 1,
-    backend: Backend = "processes",
-    scheduler: Scheduler = "",
+    corpus: list[str] | None = None,
+    random: list[str] | None = None,
+    find: list[str] | None = None,
+    claim: list[str] | None = None,
+    digits: int = 10,
+    values: bool = False,
+    surfaces: bool = False,
+    approximate: str = "",
+    epsilon: str = "",
+    output: str = "",
+    jobs: int = 1,
+    backend: str = "processes",
+    scheduler: str = "",
 ) -> None:
     """Find the features of many curves or surfaces, or the verdicts of claims on many curves. The output has one line
     for each curve or surface, in order, and a summary. A curve or surface that cannot be read gives a line with the

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from exactspline.cli.commands import leaves
 from tests.support import import_graph
 
 ARCHITECTURE = Path(__file__).parents[2] / "docs" / "architecture.md"
@@ -95,6 +96,7 @@ def test_only_the_front_door_and_tables_name_modules_of_other_rooms_in_texts():
     named = {name: import_graph.named(tree, set(trees)) - {"papers"} for name, tree in trees.items()}
     found = {name for name, targets in named.items() if {t.split(".")[0] for t in targets} - {name.split(".")[0]}}
     assert found == {*import_graph.TABLES, "cli.output", "papers.formula_check"}
+    assert {entry.home.split(".")[0] for entry in leaves().values()} == {"cli", import_graph.EXTRA}
 
 
 @pytest.mark.skipif(not ARCHITECTURE.exists(), reason="the documents are in the checkout only")

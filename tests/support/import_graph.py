@@ -26,15 +26,7 @@ FLOOR = {package: i for i, packages in enumerate(ORDER) for package in packages}
 #: A module, or something in one, named in a text: ``exactspline.roots``, ``roots.checker:check``.
 NAMED = re.compile(r"(?:exactspline\.)?(\w+(?:\.\w+)*)\.?(?::\w+)?")
 #: The tables that name what loads when it is used: the rows of these modules alone may name a room above their own.
-TABLES = {
-    "",
-    "cli.commands",
-    "cli.common",
-    "display.notebook",
-    "display.plot.anything",
-    "interchange.formats",
-    "verification.judges",
-}
+TABLES = {"", "cli.common", "display.notebook", "display.plot.anything", "interchange.formats", "verification.judges"}
 #: The rooms that they may name.
 EXTRA = "extras"
 #: What draws a paper's figures lies above all rooms, and is imported by nothing.

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-from exactspline.cli.common import Papers, Trust, claims_of_papers
-from exactspline.cli.output import Argument, OptionsError
-from exactspline.cli.prove import Claims, Sections, named_claims, of_sections
+from exactspline.cli.common import claims_of_papers
+from exactspline.cli.output import OptionsError
+from exactspline.cli.prove import named_claims, of_sections
 from exactspline.errors import counted
 
 if TYPE_CHECKING:
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 
 def coq(
-    folder: Annotated[str, Argument(help="The folder to write into.")],
-    claim: Claims = None,
-    section: Sections = None,
-    paper: Papers = None,
-    trust: Trust = False,
+    folder: str,
+    claim: list[str] | None = None,
+    section: list[str] | None = None,
+    paper: list[str] | None = None,
+    trust: bool = False,
 ) -> None:
     """Write claims that state equalities as theorems of Coq: all such claims, or only the claims with some ids,
     sections or papers.

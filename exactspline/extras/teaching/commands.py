@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
-from exactspline.cli.common import CURVE_HELP, Trust, load_curve
-from exactspline.cli.output import Argument, Exit, Option, OptionsError, Output, printing
+from exactspline.cli.common import load_curve
+from exactspline.cli.output import Exit, OptionsError, Output, printing
 from exactspline.display.sheet import Sheet
 from exactspline.errors import CurveFileError
 
@@ -25,23 +25,14 @@ if TYPE_CHECKING:
 @printing
 def triangle(
     out: Output,
-    curve: Annotated[str, Argument(metavar="CURVE", help=CURVE_HELP)],
-    at: Annotated[
-        list[str] | None,
-        Option("--at", metavar="T", help="Print de Boor's triangle at this parameter. May be repeated."),
-    ] = None,
-    insert: Annotated[
-        list[str] | None, Option("--insert", metavar="T", help="Insert this knot. May be repeated.")
-    ] = None,
-    times: Annotated[int, Option("--times", metavar="N", min=1, help="Insert each knot N times.")] = 1,
-    elevate: Annotated[
-        int, Option("--elevate", metavar="N", min=0, max=100, help="Raise the degree by N, segment by segment.")
-    ] = 0,
-    product: Annotated[
-        str, Option("--product", metavar="X,Y", help="Multiply two of the functions x, y, z, w of the curve.")
-    ] = "",
-    latex: Annotated[bool, Option("--latex", help="Print LaTeX (needs amsmath).")] = False,
-    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+    curve: str,
+    at: list[str] | None = None,
+    insert: list[str] | None = None,
+    times: int = 1,
+    elevate: int = 0,
+    product: str = "",
+    latex: bool = False,
+    html: bool = False,
 ) -> None:
     """Print the triangle of fractions of de Boor's algorithm, of knot insertion or of degree elevation, or the table of
     a product of two functions.
@@ -93,16 +84,12 @@ def _factors(curve: Nurbs, names: str) -> tuple[BSpline, BSpline]:
 @printing
 def exercise(
     out: Output,
-    topic: Annotated[
-        list[str] | None, Argument(help="Topics, or the word all; by default the topics are listed.", metavar="TOPIC")
-    ] = None,
-    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The number of the first exercise.")] = 0,
-    count: Annotated[
-        int, Option("--count", metavar="K", min=1, max=500, help="The number of exercises per topic.")
-    ] = 1,
-    solutions: Annotated[bool, Option("--solutions", help="Add a sheet of solutions.")] = False,
-    latex: Annotated[bool, Option("--latex", help="Print a LaTeX document.")] = False,
-    html: Annotated[bool, Option("--html", help="Print an HTML page, for a browser or a printer.")] = False,
+    topic: list[str] | None = None,
+    seed: int = 0,
+    count: int = 1,
+    solutions: bool = False,
+    latex: bool = False,
+    html: bool = False,
 ) -> None:
     """Print exercises with small numbers, the same exercises for the same seed. `teach check` checks your answers."""
     from exactspline.extras.teaching.display.exercises import exercise_data, html_page, latex_document
@@ -147,27 +134,15 @@ def exercise(
 @printing
 def check(
     out: Output,
-    answer: Annotated[
-        str,
-        Argument(
-            help="A file with the answer, - for standard input, or FILE.py:NAME for a formula.",
-            instead_of={"-": '--text "-6, -7"'},
-        ),
-    ] = "",
-    topic: Annotated[str, Option("--topic", metavar="TOPIC", help="The topic of the exercise.")] = "",
-    seed: Annotated[int, Option("--seed", metavar="N", min=0, help="The seed of the exercise.")] = 0,
-    text: Annotated[str, Option("--text", metavar="ANSWER", help="The answer itself, in place of a file.")] = "",
-    reference: Annotated[
-        str, Option("--reference", metavar="WHAT", help="The right answer: a curve or, for a formula, a formula.")
-    ] = "",
-    factor: Annotated[
-        str, Option("--factor", metavar="F", help="For formulas: the answer is the reference times F, such as w^3.")
-    ] = "1",
-    hint: Annotated[bool, Option("--hint", help="If the answer is wrong, say how to begin.")] = False,
-    show: Annotated[
-        bool, Option("--show", help="If the answer is wrong, show the right values and the solution.")
-    ] = False,
-    trust: Trust = False,
+    answer: str = "",
+    topic: str = "",
+    seed: int = 0,
+    text: str = "",
+    reference: str = "",
+    factor: str = "1",
+    hint: bool = False,
+    show: bool = False,
+    trust: bool = False,
 ) -> None:
     """Prove an answer right, or say where the answer is wrong; the right values are shown only with --show. The exit
     status is 1 for a wrong answer.
