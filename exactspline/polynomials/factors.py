@@ -234,7 +234,7 @@ def factorize(p: P) -> Factored[P]:
             parts = factorize_square_free(p)
             return _believed(p, parts.constant, [(q, e) for base, e in parts.powers for q in _split(base)])
         if isinstance(p, fmpz_mpoly) and cost > WORTH_A_TRY and _certainly_irreducible(p):
-            content = _content(p) if p.leading_coefficient() > 0 else -_content(p)
+            content = common_divisor(p.coeffs()) * (1 if p.leading_coefficient() > 0 else -1)
             return _believed(p, content, [(p / content, 1)])
         longest = LONGEST_LOOP if isinstance(p, fmpq_mpoly) else LONGEST
         check_reach(cost, lambda: f"the factorization of a polynomial {_size(p)}", longest)
@@ -326,12 +326,14 @@ def _divisor_of_two(p: G, q: G) -> G:
     else:
         cost = max(_cost(f, {1: DIVISOR, 2: DIVISOR}) for f in (p, q))
         if cost > WORTH_A_TRY and all(_certainly_without(p, q, k) for k in (0, 1)):
-            return p.context().constant(_content(p).gcd(_content(q)))
+            return p.context().constant(common_divisor([*p.coeffs(), *q.coeffs()]))
     check_reach(cost, lambda: f"the greatest common divisor of polynomials {_size(p)} and {_size(q)}")
     return p.gcd(q)
 
 
 def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
+    if len(p) == 1 or len(q) == 1:
+        return p.gcd(q)
     first, second, terms = _degrees(p), _degrees(q), len(p) + len(q)
     cost = terms * DIVISOR_TERM * (1 + max(_bits(p), _bits(q)) // DIVISOR_BITS)
     if max(len(first), len(second)) <= FEW:
@@ -395,10 +397,6 @@ def _believed(p: P, constant: Any, factors: list[tuple[P, int]]) -> Factored[P]:
     if product_of_all != p:
         raise ArithmeticError("the product of FLINT's factors is not the polynomial")
     return Factored(constant, factorization)
-
-
-def _content(p: fmpz_mpoly) -> fmpz:
-    return common_divisor(p.coeffs())
 
 
 # ---- cost

@@ -452,8 +452,7 @@ def _without_common(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fm
 
 def _gcd(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
     """The monic greatest common divisor (of 0 and b: b made monic)."""
-    common = b if len(a) >= len(b) and _divides(b, a) else greatest_common_divisor([a, b])
-    return common / common.leading_coefficient() if common else common
+    return b / b.leading_coefficient() if len(a) >= len(b) and _divides(b, a) else greatest_common_divisor([a, b])
 
 
 def _divides(b: fmpq_mpoly, a: fmpq_mpoly) -> bool:
