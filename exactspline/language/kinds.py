@@ -224,39 +224,7 @@ IMPLICIT_SURFACE = ImplicitKind("implicit surface", 3, "f")
 INTERSECTION = ImplicitKind("intersection", 3, "fg")
 
 
-__all__ = [
-    "CURVE",
-    "CURVE_ON_SURFACE",
-    "FORMS",
-    "FRAMED",
-    "FRAMED_PLANE",
-    "FRAMED_SPACE",
-    "HODOGRAPH",
-    "IMPLICIT",
-    "IMPLICIT_SURFACE",
-    "INTERSECTION",
-    "KINDS",
-    "PAIR",
-    "PLANAR_MAP",
-    "PLANE",
-    "PLANE_PAIR",
-    "PLANE_POINT",
-    "POINT_IN_SPACE",
-    "SPACE",
-    "SURFACE",
-    "TABLE",
-    "CurveKind",
-    "FramedKind",
-    "Kind",
-    "PairKind",
-    "Rule",
-    "Symbol",
-    "TableKind",
-    "common_kind",
-    "constant_text",
-    "kind_of",
-    "with_constants",
-]
+__all__ = ["CURVE_ON_SURFACE", "FORMS", "PLANAR_MAP", "SURFACE", "Kind", "Rule", "Symbol", "constant_text"]
 
 _SUBSCRIPTS = str.maketrans("xyzuvst", "₁₂₃₄₅₆₇")
 #: Names that constants must not have: those of operands, and everything else that formulas may name.

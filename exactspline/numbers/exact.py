@@ -24,33 +24,7 @@ from gmpy2 import gcd, iroot, is_square, isqrt, lcm, mpq, mpz
 from exactspline.errors import NumberError, as_items, counted, shown
 from exactspline.numbers.once import Immutable
 
-__all__ = [
-    "DEEPEST",
-    "MAX_EXPONENT",
-    "MAX_TEXT",
-    "PRIME",
-    "Number",
-    "Rounding",
-    "checked_rounding",
-    "double",
-    "double_between",
-    "double_root",
-    "from_float",
-    "from_floats",
-    "gcd",
-    "iroot",
-    "is_float",
-    "is_square",
-    "isqrt",
-    "lcm",
-    "mpq",
-    "mpz",
-    "ratio",
-    "rational",
-    "text",
-    "to_fmpq",
-    "to_fmpz",
-]
+__all__ = ["gcd", "iroot", "is_square", "isqrt", "lcm", "mpq", "mpz"]
 
 #: The types that :func:`rational` accepts as exact numbers; ``SupportsIndex`` covers the integers of other libraries.
 Number: TypeAlias = int | str | Fraction | Decimal | mpz | mpq | flint.fmpz | flint.fmpq | SupportsIndex

@@ -24,24 +24,7 @@ from exactspline.papers.loading import checked_formulas, guarded, run_file
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
-__all__ = [
-    "Paper",
-    "Table",
-    "all_formulas",
-    "default_papers",
-    "find",
-    "formula_of",
-    "formulas_by_module",
-    "known_as",
-    "load_paper",
-    "named_papers",
-    "option_of",
-    "owner",
-    "paper",
-    "paper_named",
-    "papers",
-    "resolve",
-]
+__all__ = ["Paper", "Table"]
 
 #: Papers loaded from folders, by name.
 _loaded: dict[str, Paper] = {}

@@ -116,7 +116,7 @@ def module_graph() -> dict[str, set[str]]:
     """Every module with those that it imports."""
     known = trees()
     graph = {name: imported(tree, set(known), name) - {name} for name, tree in known.items()}
-    for stub in ROOT.rglob("__init__.pyi"):
+    for stub in ROOT.rglob("*.pyi"):
         own = module_name(stub.with_suffix(".py"))
         graph[own] |= {name for name in stubbed(stub) if own not in TABLES or name.split(".")[0] != EXTRA}
     return graph
