@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from hashlib import sha256
 from html import escape
+from importlib.resources import files
 
 from rich.console import Console
 
@@ -38,7 +39,7 @@ from exactspline.display.ledger import (
     words_of,
 )
 from exactspline.display.numbers import Numbers, described, described_surface
-from exactspline.display.page import cells, definitions, page, table
+from exactspline.display.page import cells, definitions, page, style, table
 from exactspline.display.sheet import Sheet
 from exactspline.errors import command_name, counted
 from exactspline.papers import Paper
@@ -186,28 +187,6 @@ class Run:
                 )
 
 
-_LEDGER_STYLE = """
-body{max-width:80rem;font-size:15px}
-table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:top;padding:.3rem .8rem .3rem 0}
-th{border-bottom:1px solid var(--soft);position:sticky;top:0;background:var(--paper)}
-td{border-bottom:1px solid var(--line);overflow-wrap:anywhere}
-.UNDECIDED,.VACUOUS,.INAPPLICABLE{color:var(--soft)}.CONTRADICTION{color:var(--orange)}
-td:first-child{font-weight:600}form{display:flex;flex-wrap:wrap;gap:1rem;margin:1rem 0}label{display:flex;gap:.4rem}
-input,select{max-width:100%}dt{font-weight:600}
-@media(max-width:800px){thead{display:none}tr:not([hidden]),td{display:block}
-td{border:0;padding:.1rem 0}td:nth-child(6)::before{content:"found: "}
-td:nth-child(7):not(:empty)::before{content:"witness: "}tr{border-bottom:1px solid var(--line);padding:.4rem 0}}
-"""
-_SCRIPT = """
-const form=document.querySelector("form"),rows=[...document.querySelectorAll("tbody tr")];
-function filter(){const d=new FormData(form),text=d.get("text").toLowerCase();let n=0;
-for(const r of rows){const ok=["verdict","section","curve"].every(k=>!d.get(k)||r.dataset[k]===d.get(k))
-&&(!text||r.textContent.toLowerCase().includes(text));r.hidden=!ok;n+=ok}
-document.querySelector("output").textContent=n+" of "+rows.length+" rows"}
-form.addEventListener("input",filter);form.addEventListener("submit",e=>e.preventDefault());filter();
-"""
-
-
 def ledger_page(rows: Sequence[Row]) -> str:
     """The rows as an HTML page, with a filter by verdict, by section, by curve and by text.
 
@@ -223,13 +202,14 @@ def ledger_page(rows: Sequence[Row]) -> str:
     choices = (("verdict", words), ("section", sections), ("curve", curves))
     filters = "".join(_select(name, values) for name, values in choices)
     head = cells(("verdict", "claim", "place", "on", "statement", "found", "witness"), "th")
+    script = files("exactspline.display").joinpath("ledger.js").read_text(encoding="utf-8")
     body = (
         f"<h1>{escape(headline(rows))}</h1><p>{escape(closing(rows))}</p>{_unchecked(rows)}"
         f'<form>{filters}<label>text <input name="text" type="search"></label><output></output></form>'
         f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(map(_row, rows))}</tbody></table>"
-        f"{_meanings(words)}<script>{_SCRIPT}</script>"
+        f"{_meanings(words)}<script>\n{script}</script>"
     )
-    return page("Ledger", body, _LEDGER_STYLE)
+    return page("Ledger", body, style("ledger"))
 
 
 def _unchecked(rows: Sequence[Row]) -> str:
@@ -256,19 +236,6 @@ def _row(row: Row) -> str:
     return f'<tr{attributes}><td class="{verdict}">{verdict}</td>{shown}</tr>'
 
 
-_REPORT_STYLE = """
-body{max-width:52rem}h2{margin-top:2.2rem;border-bottom:1px solid var(--line)}
-article{margin:1.4rem 0;padding-left:1rem;border-left:.3rem solid var(--line)}article h3{font-size:1rem;margin:0}
-article.PROVED{border-color:var(--green)}article.VERIFIED{border-color:var(--blue)}
-article.REFUTED{border-color:var(--orange)}
-dl{display:grid;grid-template-columns:fit-content(12rem) minmax(0,1fr);gap:.1rem 1rem;margin:.3rem 0}
-dt{color:var(--soft)}dt,dd,td{overflow-wrap:anywhere}dd{margin:0}
-code{overflow-wrap:anywhere}table{border-collapse:collapse}
-td,th{text-align:left;vertical-align:top;padding:.1rem 1.2rem .1rem 0}.verdict{font-weight:700}
-@media(max-width:600px){dl{grid-template-columns:minmax(0,1fr)}dd{margin:0 0 .4rem}}
-"""
-
-
 def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
     """The referee's report on claims, made from the rows of the ledger.
 
@@ -290,7 +257,7 @@ def report(claims: Sequence[Claim], rows: Sequence[Row]) -> str:
         f"<h2>What the words mean</h2>{_meanings(words_of(rows))}"
         f"<h2>What the verdicts rely on</h2>{_versions(rows)}{''.join(map(_digests, sources))}"
     )
-    return page(f"Report: {title}", body, _REPORT_STYLE)
+    return page(f"Report: {title}", body, style("report"))
 
 
 def _meanings(words: Iterable[str]) -> str:

@@ -7,13 +7,6 @@ from html import escape
 
 from exactspline.numbers.exact import mpq, text
 
-#: The style of pages for printers.
-STYLE = """
-body{max-width:48rem;font-size:17px}h2{margin:1.6rem 0 .4rem}p{margin:.4rem 0}
-math{font-size:1.05em}mtd{padding:.25em .7em}.wide{overflow-x:auto}ol>li{margin:1.1rem 0}
-section.solutions{break-before:page}@media print{li{break-inside:avoid}}
-"""
-
 
 def number(x: mpq) -> str:
     """An exact number.

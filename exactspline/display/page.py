@@ -6,20 +6,22 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from importlib.resources import files
 
-#: The colours and fonts that these pages share with the site, and the style that they share with each other.
+#: The colours and fonts that these pages share with the site.
 SHARED = files("exactspline.display").joinpath("page.css").read_text(encoding="utf-8")
-BASE = """
-body{font:16px/1.5 var(--letters);margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}
-h1{font-size:1.6rem;line-height:1.2;margin-bottom:.3rem}h2{font-size:1.2rem}a{color:var(--blue)}
-code{font:.85em/1.4 var(--code)}input,select{font:inherit;color:inherit;background:var(--card)}
-.PROVED .verdict,td.PROVED{color:var(--green)}.VERIFIED .verdict,td.VERIFIED{color:var(--blue)}
-.REFUTED .verdict,td.REFUTED{color:var(--orange)}
-@media print{:root{color-scheme:light}body{margin:0;max-width:none}}
-"""
+_PARTS = files("exactspline.display").joinpath("pages.css").read_text(encoding="utf-8")
 
 
-def page(title: str, body: str, style: str) -> str:
-    """A page for any browser, without a network: `body` and `style` are HTML and CSS, the title is plain text.
+def style(part: str) -> str:
+    """A part of ``pages.css``.
+
+    >>> style("lines")[:20]
+    '\\n.line{border-bottom'
+    """
+    return _PARTS.partition(f"/* {part} */")[2].partition("\n/*")[0]
+
+
+def page(title: str, body: str, own: str) -> str:
+    """A page for any browser, without a network: `body` and `own` are HTML and CSS, the title is plain text.
 
     >>> page("a < b", "<p>c</p>", "p{margin:0}").splitlines()[1:3]
     ['<html lang="en">', '<meta charset="utf-8">']
@@ -27,7 +29,7 @@ def page(title: str, body: str, style: str) -> str:
     return (
         '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>{SHARED}{BASE}{style}</style>\n{body}\n</html>\n"
+        f"<title>{escape(title)}</title>\n<style>{SHARED}{style('page')}{own}</style>\n{body}\n</html>\n"
     )
 
 

@@ -17,6 +17,7 @@ from itertools import chain, groupby, repeat
 from exactspline.display.evidence import curve_of_witness, values_there, worded, written_out
 from exactspline.display.latex_prose import in_mathematics, literal, prose, quoted
 from exactspline.display.ledger import fields
+from exactspline.display.page import style
 from exactspline.display.tables import breakable
 from exactspline.errors import ClaimError, as_instance, counted, nearest
 from exactspline.hooks import Displayed
@@ -180,19 +181,6 @@ LOST = "\ufffd"
 STATUS = {Status.MEANT: "corrected statement", Status.OURS: "our own statement"}
 #: The fields of a statement that unfold below its proof.
 UNFOLDED = ("found", "factor", "witness", "assumes", "divides by", "used", "note")
-STYLE = """<style>
-.along .passage{display:grid;grid-template-columns:8.5em minmax(0,1fr);gap:0 1em;margin:.35em 0}
-.along .margin{text-align:right;border:0 solid transparent;border-right-width:4px;padding-right:.6em;
-font-size:.9em;line-height:1.35}
-.along .said{border-top:1px solid #8886;margin-top:1em;padding-top:.6em;font-style:italic}
-.along .PROVED{border-color:#00855c}.along .VERIFIED{border-color:#1b7fc4}.along .REFUTED{border-color:#cc5200}
-.along .UNDECIDED{border-color:#888}.along p{margin:.15em 0}.along details{margin:.15em 0 .4em}
-.along .formula{margin:.3em 0;overflow-wrap:anywhere}.along .degree{margin-left:1.5em;font-size:.9em;white-space:nowrap}
-@media(max-width:700px){.along .passage{grid-template-columns:minmax(0,1fr)}
-.along .margin{text-align:left;border-width:0 0 0 4px;padding:0 0 0 .6em}
-.along .margin:not([class*=ED]){padding:0;border:0}
-.along .formula{font-size:66%}.along .degree{font-size:1em}}
-</style>"""
 
 
 @dataclass(frozen=True)
@@ -269,7 +257,7 @@ def along_html(read: ReadingAlong) -> str:
     shown: set[str] = set()
     body = "".join(part for each in read.passages for part in _passage(each, read, shown))
     nothing = f"<p>Passages that decide nothing: {escape(read.left_out)}.</p>" if read.left_out else ""
-    return f'{STYLE}<div class="along"><p><b>{escape(read.head)}.</b></p>{body}{nothing}</div>'
+    return f'<style>{style("along")}</style><div class="along"><p><b>{escape(read.head)}.</b></p>{body}{nothing}</div>'
 
 
 def _passage(one: Passage, read: ReadingAlong, shown: set[str]) -> Iterator[str]:

@@ -13,7 +13,7 @@ from exactspline.display.forms import Data, picked
 from exactspline.display.latex import fraction, latex, mathematics, unicode_latex
 from exactspline.display.latex_prose import prose
 from exactspline.display.numbers import polynomial_text
-from exactspline.display.page import page
+from exactspline.display.page import page, style
 from exactspline.display.sheet import Sheet, hanging
 from exactspline.extras.teaching import differences as wrong
 from exactspline.extras.teaching.parts import Math, Part, Polynomial, Value
@@ -174,7 +174,7 @@ def schemes_page(schemes: Sequence[Scheme], heading: str) -> str:
         f'<div class="wide">{mathml.math(_scheme_mathml(s), block=True)}</div>{_weights_html(s)}{_result_html(s)}'
         for s in schemes
     ]
-    return page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}", mathml.STYLE)
+    return page(heading, f"<h1>{escape(heading)}</h1>{''.join(parts)}", style("mathematics"))
 
 
 def _weights_html(scheme: Scheme) -> str:
@@ -338,11 +338,6 @@ def latex_document(made: Sequence[Exercise], *, solutions: bool) -> str:
 
 # ---- HTML
 
-#: Lines to write on.
-LINES = """
-.line{border-bottom:1px solid var(--soft);margin:1.6rem 0 .6rem;display:flex}.line span{margin-left:60%}
-"""
-
 
 def _value_mathml(value: Value) -> str:
     if isinstance(value, Polynomial):
@@ -388,7 +383,7 @@ def html_page(made: Sequence[Exercise], *, solutions: bool) -> str:
             for e in made
         ]
         body += f'<section class="solutions"><h1>Solutions</h1><ol>{"".join(ways)}</ol></section>'
-    return page("Exercises", body, mathml.STYLE + LINES)
+    return page("Exercises", body, style("mathematics") + style("lines"))
 
 
 # ---- answers
