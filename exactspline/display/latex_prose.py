@@ -6,6 +6,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
+from typing import cast
+
+from exactspline.papers.folder import read_toml
 
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁽⁾ⁱᵀ", "0123456789-()iT")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₓᵧ", "0123456789xy")
@@ -16,55 +20,9 @@ _PIECES = re.compile(
     "|(?P<lowered>[₀₁₂₃₄₅₆₇₈₉ₓᵧ]+)|(?P<barred>.)\u0304|(?P<other>.)",
     re.DOTALL,
 )
-GREEK = (
-    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi chi "
-    "psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
-)
-#: Signs in formulas.
-SIGNS = {
-    **{letter: rf"\{name} " for letter, name in zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", GREEK.split(), strict=True)},
-    **{chr(ord("𝐀") + i): rf"\mathbf{{{chr(ord('A') + i)}}}" for i in range(26)},
-    "′": "'",
-    "″": "''",
-    "‴": "'''",
-    "−": "-",
-    "·": r"\cdot ",
-    "×": r"\times ",
-    "‖": r"\|",
-    "⊥": r"^\perp ",
-    "≥": r"\ge ",
-    "≤": r"\le ",
-    "≠": r"\ne ",
-    "≢": r"\not\equiv ",
-    "≡": r"\equiv ",
-    "⋀": r"\bigwedge ",
-    "±": r"\pm ",
-    "√": r"\surd ",
-    "∗": "*",
-    "½": r"\tfrac{1}{2}",
-    "⟨": r"\langle ",
-    "⟩": r"\rangle ",
-    "↦": r"\mapsto ",
-    "∇": r"\nabla ",
-    "∞": r"\infty ",
-    "|": "|",
-    "<": "<",
-    ">": ">",
-}
-#: Signs in prose.
-LETTERS = {
-    "\\": r"\textbackslash{}",
-    "{": r"\{",
-    "}": r"\}",
-    "^": r"\^{}",
-    "~": r"\textasciitilde{}",
-    **{sign: rf"\{sign}" for sign in "&%$#_"},
-    "§": r"\S{}",
-    "“": "``",
-    "”": "''",
-    "…": r"\ldots{}",
-    "–": "--",
-}
+#: Signs in formulas and in prose, the commands of a paper, and what proofs say.
+TABLES = cast("dict[str, dict[str, str]]", read_toml(Path(__file__).with_name("latex.toml"), "latex.toml"))
+SIGNS, LETTERS = TABLES["signs"], TABLES["letters"]
 
 
 def in_mathematics(tex: str) -> str:
@@ -233,15 +191,6 @@ def _tex(kind: str, text: str) -> str:
 # Some sources are quoted with dollar signs, some from inside a formula; some use commands from their preambles.
 
 
-#: Commands that a source defines for itself (Petrunin and Zamora Barrera), or that affect typesetting only.
-COMMANDS = {
-    r"\kur": r"\kappa",
-    r"\skur": r"\kappa",
-    r"\tor": r"\tau",
-    r"\tan": r"\mathrm{T}",
-    r"\norm": r"\mathrm{N}",
-    r"\bi": r"\mathrm{B}",
-}
 #: Bold letters in Markdown, and an index in HTML.
 _MARKED = re.compile(r"\*\*(?P<bold>\w+)\*\*|\b(?P<name>[A-Za-z]\w*)<sub>(?P<index>\w+)</sub>")
 _DROPPED = re.compile(r"\\(?:eqlbl|label|index)\{[^{}]*\}")
@@ -289,7 +238,7 @@ def _marked(found: re.Match[str]) -> str:
 
 
 def _of_source(tex: str) -> str:
-    tex = _COMMAND.sub(lambda match: COMMANDS.get(match[0], match[0]), tex)
+    tex = _COMMAND.sub(lambda match: TABLES["commands"].get(match[0], match[0]), tex)
     return " ".join(tex.replace("&", r"\ ").strip("~ ").split())
 
 

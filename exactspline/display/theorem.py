@@ -15,7 +15,7 @@ from html import escape
 from itertools import chain, groupby, repeat
 
 from exactspline.display.evidence import curve_of_witness, values_there, worded, written_out
-from exactspline.display.latex_prose import in_mathematics, literal, prose, quoted
+from exactspline.display.latex_prose import TABLES, in_mathematics, literal, prose, quoted
 from exactspline.display.ledger import fields
 from exactspline.display.page import style
 from exactspline.display.tables import breakable
@@ -36,33 +36,7 @@ from exactspline.verification.verdict import PROVED, REFUTED, VERIFIED
 from exactspline.verification.vocabulary import Measure, Status
 
 #: The lines of the preamble that theorems need, as a comment.
-PREAMBLE = r"""% In the preamble:
-% \usepackage{amsmath,amssymb,amsthm}
-% \newtheorem{theorem}{Theorem}
-% \newtheorem{conjecture}{Conjecture}"""
-#: The method of proof for all curves, by the kind of the claim; for degrees, by the measure.
-METHODS = {
-    "identity": "Let the derivatives of the arguments be indeterminates. Both sides are quotients of polynomials in "
-    "them, and multiplied out they are equal.",
-    "vanishing": "Let the derivatives of the arguments be indeterminates. Multiplied out, the numerator is the zero "
-    "polynomial in them.",
-    "same surface": "Let the derivatives of the arguments be indeterminates. Multiplied out, the generators are "
-    "parallel, and the directrices differ by a multiple of a generator.",
-    "iso-curve": "Let the derivatives of the arguments be indeterminates. Multiplied out, the two curves are equal.",
-    "invariance": "Substitute the change of the curve, with indeterminates for its constants and for the derivatives "
-    "of the curve; multiplied out, both sides are equal.",
-    "zero set": "Let the derivatives of the arguments be indeterminates. The formulas are equal up to factors that "
-    "have no zero by what is assumed.",
-    "square class": "Let the derivatives of the arguments be indeterminates. In the quotient of the two every "
-    "irreducible factor occurs an even number of times.",
-    "type": "Let the derivatives of the curve be indeterminates, with the roots of squares adjoined. The value has "
-    "roots, or a denominator, or neither; that it has no more special type is seen on one curve.",
-    "contact": "Let the derivatives of the curve be indeterminates, and differentiate with respect to the second "
-    "parameter: the first derivative that does not vanish at the point of contact gives the order.",
-    "sign": "Up to its sign, the value is a positive factor times a sum of squares: an identity of polynomials in "
-    "indeterminate derivatives.",
-}
-COUNTED = "The degree is counted as in Table 1 of the paper, operation by operation, without cancellation."
+PREAMBLE = TABLES["theorems"]["preamble"]
 
 
 def theorem(s: Statement) -> str:
@@ -163,9 +137,10 @@ def _example(s: Statement) -> Iterator[str]:
 
 def _method(s: Statement) -> str:
     """The method by which claims of this kind are proved for all curves."""
+    said = TABLES["theorems"]
     if isinstance(s.claim, DegreeClaim):
-        return COUNTED if s.claim.measure == Measure.NOMINAL else "The degree is that of the generic curve."
-    return METHODS.get(s.claim.kind, "It is decided by exact computation.")
+        return said["counted" if s.claim.measure == Measure.NOMINAL else "generic"]
+    return TABLES["methods"].get(s.claim.kind, said["otherwise"])
 
 
 def _instead(s: Statement) -> Iterator[str]:
