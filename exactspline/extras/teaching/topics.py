@@ -112,6 +112,241 @@ def _small(values: Iterable[mpq]) -> bool:
     return all(x.denominator == 1 and abs(x) <= LARGEST for x in values)
 
 
+#: Hints for the first step, without numbers of the answer, and how a topic is drawn, by the name of the topic.
+HINTS: dict[str, str] = {}
+TOPICS: dict[str, Topic] = {}
+
+
+def _topic(hint: str) -> Callable[[Topic], Topic]:
+    """Enter a topic under the name of the function that draws it."""
+
+    def enter(draw: Topic) -> Topic:
+        name = draw.__name__.removeprefix("_")
+        TOPICS[name], HINTS[name] = draw, hint
+        return draw
+
+    return enter
+
+
+# ---- algorithms
+
+
+def _knots(rng: Random, degree: int) -> list[int]:
+    """Clamped knots over [0, 2] or a longer interval, with at most two interior knots."""
+    breaks = [0, *sorted(rng.sample(range(1, 5), rng.randint(0, 2)))]
+    return [0] * degree + breaks + [breaks[-1] + rng.randint(1, 2)] * (degree + 1)
+
+
+def _curve(rng: Random, degree: int) -> Nurbs:
+    knots = _knots(rng, degree)
+    return Nurbs(degree, knots, _drawn_points(rng, len(knots) - degree - 1))
+
+
+def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
+    """A parameter inside a segment: its midpoint or a third point."""
+    i = rng.randrange(len(curve.breakpoints) - 1)
+    a, b = curve.breakpoints[i : i + 2]
+    return a + (b - a) * mpq(rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 2))))
+
+
+@_topic(
+    "The control points of the segment that contains t begin the triangle. In step k neighbours are combined "
+    "with the weights (b − t)/(b − a) and (t − a)/(b − a), where [a, b] consists of degree + 1 − k intervals "
+    "between neighbouring knots."
+)
+def _evaluation(rng: Random) -> Drawn:
+    """The point of a B-spline curve by de Boor's triangle."""
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = _inner(rng, drawn)
+    triangle = de_boor_triangle(drawn, t)
+    curve = _simple(drawn, [row for column in triangle.columns for row in column])
+    if curve is None:
+        return None
+    task = (*_given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
+    return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
+
+
+@_topic(
+    "The derivative has the degree one lower, and its control points are the differences of neighbours times "
+    "the degree, divided by the difference of the knots; then de Boor's triangle."
+)
+def _derivative(rng: Random) -> Drawn:
+    """The derivative of a curve at a parameter."""
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = rng.choice((_inner(rng, drawn), *drawn.domain))
+    hodograph = Nurbs.from_splines([f.d() for f in drawn.p])
+    made = [*hodograph.control_points, *[row for c in de_boor_triangle(hodograph, t).columns for row in c]]
+    curve = _simple(drawn, made)
+    if curve is None:
+        return None
+    hodograph = Nurbs.from_splines([f.d() for f in curve.p])
+    task = (*_given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
+    words = (
+        f"The derivative has the degree {hodograph.degree}, the knots % and the control points %. De Boor's triangle: "
+    )
+    solution = (*sentence(words, _knots_of(hodograph), _points_of(hodograph)), de_boor_triangle(hodograph, t))
+    return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
+
+
+@_topic(
+    "The control points far from t stay. Each new one lies between two old neighbours: it is the first step of "
+    "de Boor's triangle at t."
+)
+def _insertion(rng: Random) -> Drawn:
+    """The control points after a knot is inserted."""
+    drawn = _curve(rng, rng.choice((2, 3)))
+    t = _inner(rng, drawn)
+    curve = _simple(drawn, insertion_triangle(drawn, t).made)
+    if curve is None:
+        return None
+    triangle = insertion_triangle(curve, t)
+    finer = Nurbs(curve.degree, triangle.knots or (), triangle.made)
+    task = (*_given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
+    return task, Points(finer), ("Over the knots ", _knots_of(finer), " by Boehm's algorithm: ", triangle)
+
+
+@_topic(
+    "The ends stay. From degree n to n + 1 the new point i is i/(n + 1) times the old point i − 1 plus 1 − "
+    "i/(n + 1) times the old point i."
+)
+def _elevation(rng: Random) -> Drawn:
+    """The Bézier points after the degree is raised."""
+    drawn = _bezier_curve(_drawn_points(rng, rng.choice((1, 2, 3)) + 1))
+    curve = _simple(drawn, elevation_triangles(drawn)[0].columns[-1])
+    if curve is None:
+        return None
+    task = sentence(
+        f"A Bézier curve of degree {curve.degree} has the control points %. Write it as a Bézier curve of degree "
+        f"{curve.degree + 1}: what are its control points?",
+        _points_of(curve),
+    )
+    (triangle,) = elevation_triangles(curve)
+    return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
+
+
+@_topic("De Casteljau's triangle at t: the first points of its columns.")
+def _subdivision(rng: Random) -> Drawn:
+    """The Bézier points of the first part of a subdivided curve."""
+    drawn = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
+    t = _inner(rng, drawn)
+    curve = _simple(drawn, [row for c in de_boor_triangle(drawn, t).columns for row in c])
+    if curve is None:
+        return None
+    first, _ = curve.split(t)
+    asked = sentence(". It is cut at %. What are the control points of its first part?", Math("t", (t,)))
+    return (
+        (*_given_bezier(curve), *asked),
+        Points(first),
+        ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t)),
+    )
+
+
+@_topic(
+    "Multiply the points by binomial coefficients, multiply the two lists as polynomials, and divide by the "
+    "binomial coefficients of the sum of the degrees."
+)
+def _product(rng: Random) -> Drawn:
+    """The Bézier points of the product of two functions."""
+    f, g = (BSpline.bezier([x for (x,) in _drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
+    points = _cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
+    if points is None or g.is_zero or any(x == y for x, y in pairwise(g.control_points)):
+        return None
+    f = BSpline.bezier([x for (x,) in points])
+    task = sentence(
+        f"The function f has the degree {f.degree} and the Bézier points %, the function g the degree {g.degree} and "
+        "the Bézier points %. Find the Bézier points of the product fg.",
+        *map(_points_of, (f, g)),
+    )
+    (table,) = product_tables(f, g)
+    solution = sentence(
+        "The points times binomial coefficients are % and %; the sums of the diagonals of their table are %, which are "
+        f"divided by the binomial coefficients of degree {f.degree + g.degree}.",
+        *(Math("", numbers) for numbers in (table.left, table.right, table.sums)),
+    )
+    return task, Points(f * g), solution
+
+
+def _coefficients(f: BSpline) -> tuple[mpq, ...]:
+    """The coefficients of the powers of t, from the derivatives at 0, without trailing zeros."""
+    coefficients, factorial, g = [], 1, f
+    for k in range(f.degree + 1):
+        factorial *= max(k, 1)
+        coefficients.append(g(0) / factorial)
+        g = g.d()
+    while coefficients and not coefficients[-1]:
+        coefficients.pop()
+    return tuple(coefficients)
+
+
+@_topic(
+    "The constant term is the first point; the next coefficient is the degree times the first difference; the "
+    "coefficient of t² takes the second difference and the binomial coefficient."
+)
+def _power(rng: Random) -> Drawn:
+    """Conversion from Bézier points to powers of t."""
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
+    made = tuple(_coefficients(f) for f in curve.p)
+    if not all(_small(c) and len(c) > 1 for c in made):
+        return None
+    task = (*_given_bezier(curve), ". Write x(t) and y(t) in powers of t.")
+    columns = list(zip(*curve.control_points, strict=True))
+    solution = tuple(
+        part
+        for name, column, c in zip(("x", "y"), columns, made, strict=True)
+        for part in ("From ", Math("", column), f" comes {name}(t) = ", Math("", (Polynomial(c),)), ". ")
+    )
+    return task, Polynomials(("x(t)", "y(t)"), tuple(map(Polynomial, made))), solution
+
+
+@_topic(
+    "Divide the coefficient of t to the power k by the binomial coefficient: these are the differences of "
+    "order k at the first point."
+)
+def _bezier(rng: Random) -> Drawn:
+    """Conversion from powers of t to Bézier points."""
+    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
+    made = tuple(_coefficients(f) for f in curve.p)
+    if not all(_small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
+        return None
+    words = f"A curve is given by % and %. Find its Bézier points of degree {curve.degree} over [0, 1]."
+    task = sentence(words, *(Math(name, (Polynomial(c),)) for name, c in zip(("x(t)", "y(t)"), made, strict=True)))
+    solution = sentence(
+        "The coefficient of t to the power k, divided by the binomial coefficient, is the k-th difference of the "
+        "Bézier points, which are therefore %.",
+        _points_of(curve),
+    )
+    return task, Points(curve), solution
+
+
+@_topic("Compare the values of both sides, then the first derivatives, and so on, until two differ.")
+def _continuity(rng: Random) -> Drawn:
+    """The smoothness of a function at a knot."""
+    degree = rng.choice((2, 3))
+    smooth, multiplicity = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
+    multiplicity = max(smooth, multiplicity)
+    knots = [0] * (degree + 1) + [1] * smooth + [2] * (degree + 1)
+    f = BSpline(degree, knots, [x for (x,) in _drawn_points(rng, len(knots) - degree - 1, 1)])
+    f = f.insert_knot(1, multiplicity - smooth) if multiplicity > smooth else f
+    factor = max(int(x.denominator) for x in f.control_points)
+    if factor > 4 or f.true_degree < degree:
+        return None
+    f = f.scaled(factor)
+    if not _small(f.control_points):
+        return None
+    asked = sentence(
+        ". How many times is it continuously differentiable at %? (−1 if it jumps, "
+        f"{degree} if it is the same polynomial on both sides.)",
+        Math("t", (mpq(1),)),
+    )
+    order = f.continuity_at(1)
+    solution: list[str] = []
+    for k in range(min(order + 1, degree) + 1):
+        g = f.d(k)
+        sides = f"{text(g(1, 'left'))} from the left and {text(g(1))} from the right"
+        solution.append(f"{'The value' if not k else f'The derivative of order {k}'} is {sides}. ")
+    return (*_given_curve(f, "function"), *asked), Numbers(("the order",), (mpq(order),)), tuple(solution)
+
+
 # ---- shapes
 
 
@@ -125,6 +360,7 @@ def _function(rng: Random) -> BSpline:
     return BSpline(degree, knots, [x for (x,) in _drawn_points(rng, len(knots) - degree - 1, 1, 9)])
 
 
+@_topic("The basis function of control point i begins at knot i and ends degree + 1 knots later.")
 def _support(rng: Random) -> Drawn:
     """The interval on which a control point has influence."""
     f = _function(rng)
@@ -145,6 +381,7 @@ def _support(rng: Random) -> Drawn:
     return task, Numbers(("the left end", "the right end"), (low, high)), solution
 
 
+@_topic("Which control points have influence on this interval? There are degree + 1 of them.")
 def _hull(rng: Random) -> Drawn:
     """The bounds that control points imply for a function."""
     f = _function(rng)
@@ -165,6 +402,7 @@ def _hull(rng: Random) -> Drawn:
     return task, Numbers(("the lower bound", "the upper bound"), (min(active), max(active))), solution
 
 
+@_topic("Where does x′y″ − y′x″ change its sign? For a cubic it has at most the degree 2.")
 def _inflections(rng: Random) -> Drawn:
     """The inflections of a cubic."""
     curve = _bezier_curve(_drawn_points(rng, 4, size=6))
@@ -212,6 +450,7 @@ def _with_rational_speed(rng: Random) -> tuple[Nurbs, mpq]:
     return _bezier_curve(points[::-1] if at_end else points), mpq(at_end)
 
 
+@_topic("κ = (x′y″ − y′x″)/(x′² + y′²)^(3/2); at an end the derivatives are differences of control points.")
 def _curvature(rng: Random) -> Drawn:
     """The curvature at an end of a Bézier curve."""
     curve, t = _with_rational_speed(rng)
@@ -236,6 +475,7 @@ def _centre(curve: Nurbs, t: mpq) -> Point | None:
     return centre[0], centre[1]
 
 
+@_topic("The centre is the point plus (x′² + y′²)/(x′y″ − y′x″) times (−y′, x′).")
 def _osculating(rng: Random) -> Drawn:
     """The osculating circle at a point, a point of the evolute."""
     curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
@@ -257,6 +497,10 @@ def _osculating(rng: Random) -> Drawn:
     return task, Numbers(("centre x", "centre y", "radius²"), (*centre, square)), solution
 
 
+@_topic(
+    "Three points decide which circle it can be: take the ends and the middle. Then every coefficient of the "
+    "equation must vanish."
+)
 def _circle(rng: Random) -> Drawn:
     """Whether a rational quadratic is an arc of a circle."""
     chord, height, side = rng.choice(((3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13)))
@@ -294,6 +538,7 @@ def _circle_of(curve: Nurbs) -> tuple[Circle, tuple[str | Math, ...]]:
     return Circle(()), (*begin, "; the point ", Math("", (curve(other),)), f" at t = {text(other)} is not on it.")
 
 
+@_topic("Put t into the quotient and multiply by the denominator: the equation for w is linear.")
 def _weight(rng: Random) -> Drawn:
     """The weight for which a conic passes through a point."""
     w = mpq(rng.choice((1, 2, 3, 4)), rng.choice((1, 1, 2, 3)))
@@ -320,240 +565,6 @@ def _weight(rng: Random) -> Drawn:
     return task, Numbers(("w",), (weight_value,)), solution
 
 
-# ---- algorithms
-
-
-def _knots(rng: Random, degree: int) -> list[int]:
-    """Clamped knots over [0, 2] or a longer interval, with at most two interior knots."""
-    breaks = [0, *sorted(rng.sample(range(1, 5), rng.randint(0, 2)))]
-    return [0] * degree + breaks + [breaks[-1] + rng.randint(1, 2)] * (degree + 1)
-
-
-def _curve(rng: Random, degree: int) -> Nurbs:
-    knots = _knots(rng, degree)
-    return Nurbs(degree, knots, _drawn_points(rng, len(knots) - degree - 1))
-
-
-def _inner(rng: Random, curve: Nurbs | BSpline) -> mpq:
-    """A parameter inside a segment: its midpoint or a third point."""
-    i = rng.randrange(len(curve.breakpoints) - 1)
-    a, b = curve.breakpoints[i : i + 2]
-    return a + (b - a) * mpq(rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 2))))
-
-
-def _evaluation(rng: Random) -> Drawn:
-    """The point of a B-spline curve by de Boor's triangle."""
-    drawn = _curve(rng, rng.choice((2, 3)))
-    t = _inner(rng, drawn)
-    triangle = de_boor_triangle(drawn, t)
-    curve = _simple(drawn, [row for column in triangle.columns for row in column])
-    if curve is None:
-        return None
-    task = (*_given_curve(curve), ". Find its point at ", Math("t", (t,)), " by de Boor's algorithm.")
-    return task, Numbers(("x", "y"), curve(t)), ("De Boor's triangle: ", de_boor_triangle(curve, t))
-
-
-def _derivative(rng: Random) -> Drawn:
-    """The derivative of a curve at a parameter."""
-    drawn = _curve(rng, rng.choice((2, 3)))
-    t = rng.choice((_inner(rng, drawn), *drawn.domain))
-    hodograph = Nurbs.from_splines([f.d() for f in drawn.p])
-    made = [*hodograph.control_points, *[row for c in de_boor_triangle(hodograph, t).columns for row in c]]
-    curve = _simple(drawn, made)
-    if curve is None:
-        return None
-    hodograph = Nurbs.from_splines([f.d() for f in curve.p])
-    task = (*_given_curve(curve), ". Find its derivative at ", Math("t", (t,)), ".")
-    words = (
-        f"The derivative has the degree {hodograph.degree}, the knots % and the control points %. De Boor's triangle: "
-    )
-    solution = (*sentence(words, _knots_of(hodograph), _points_of(hodograph)), de_boor_triangle(hodograph, t))
-    return task, Numbers(("x′", "y′"), curve.derivative(1, t)), solution
-
-
-def _insertion(rng: Random) -> Drawn:
-    """The control points after a knot is inserted."""
-    drawn = _curve(rng, rng.choice((2, 3)))
-    t = _inner(rng, drawn)
-    curve = _simple(drawn, insertion_triangle(drawn, t).made)
-    if curve is None:
-        return None
-    triangle = insertion_triangle(curve, t)
-    finer = Nurbs(curve.degree, triangle.knots or (), triangle.made)
-    task = (*_given_curve(curve), ". Insert the knot ", Math("t", (t,)), ". What are all control points of the result?")
-    return task, Points(finer), ("Over the knots ", _knots_of(finer), " by Boehm's algorithm: ", triangle)
-
-
-def _elevation(rng: Random) -> Drawn:
-    """The Bézier points after the degree is raised."""
-    drawn = _bezier_curve(_drawn_points(rng, rng.choice((1, 2, 3)) + 1))
-    curve = _simple(drawn, elevation_triangles(drawn)[0].columns[-1])
-    if curve is None:
-        return None
-    task = sentence(
-        f"A Bézier curve of degree {curve.degree} has the control points %. Write it as a Bézier curve of degree "
-        f"{curve.degree + 1}: what are its control points?",
-        _points_of(curve),
-    )
-    (triangle,) = elevation_triangles(curve)
-    return task, Points(curve.elevate_degree()), ("Neighbours are combined: ", triangle)
-
-
-def _subdivision(rng: Random) -> Drawn:
-    """The Bézier points of the first part of a subdivided curve."""
-    drawn = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
-    t = _inner(rng, drawn)
-    curve = _simple(drawn, [row for c in de_boor_triangle(drawn, t).columns for row in c])
-    if curve is None:
-        return None
-    first, _ = curve.split(t)
-    asked = sentence(". It is cut at %. What are the control points of its first part?", Math("t", (t,)))
-    return (
-        (*_given_bezier(curve), *asked),
-        Points(first),
-        ("The upper edge of de Casteljau's triangle: ", de_boor_triangle(curve, t)),
-    )
-
-
-def _product(rng: Random) -> Drawn:
-    """The Bézier points of the product of two functions."""
-    f, g = (BSpline.bezier([x for (x,) in _drawn_points(rng, n + 1, 1)]) for n in rng.choice(((1, 1), (1, 2), (2, 2))))
-    points = _cleared([(x,) for x in f.control_points], [(x,) for x in (f * g).control_points])
-    if points is None or g.is_zero or any(x == y for x, y in pairwise(g.control_points)):
-        return None
-    f = BSpline.bezier([x for (x,) in points])
-    task = sentence(
-        f"The function f has the degree {f.degree} and the Bézier points %, the function g the degree {g.degree} and "
-        "the Bézier points %. Find the Bézier points of the product fg.",
-        *map(_points_of, (f, g)),
-    )
-    (table,) = product_tables(f, g)
-    solution = sentence(
-        "The points times binomial coefficients are % and %; the sums of the diagonals of their table are %, which are "
-        f"divided by the binomial coefficients of degree {f.degree + g.degree}.",
-        *(Math("", numbers) for numbers in (table.left, table.right, table.sums)),
-    )
-    return task, Points(f * g), solution
-
-
-def _coefficients(f: BSpline) -> tuple[mpq, ...]:
-    """The coefficients of the powers of t, from the derivatives at 0, without trailing zeros."""
-    coefficients, factorial, g = [], 1, f
-    for k in range(f.degree + 1):
-        factorial *= max(k, 1)
-        coefficients.append(g(0) / factorial)
-        g = g.d()
-    while coefficients and not coefficients[-1]:
-        coefficients.pop()
-    return tuple(coefficients)
-
-
-def _power(rng: Random) -> Drawn:
-    """Conversion from Bézier points to powers of t."""
-    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
-    made = tuple(_coefficients(f) for f in curve.p)
-    if not all(_small(c) and len(c) > 1 for c in made):
-        return None
-    task = (*_given_bezier(curve), ". Write x(t) and y(t) in powers of t.")
-    columns = list(zip(*curve.control_points, strict=True))
-    solution = tuple(
-        part
-        for name, column, c in zip(("x", "y"), columns, made, strict=True)
-        for part in ("From ", Math("", column), f" comes {name}(t) = ", Math("", (Polynomial(c),)), ". ")
-    )
-    return task, Polynomials(("x(t)", "y(t)"), tuple(map(Polynomial, made))), solution
-
-
-def _bezier(rng: Random) -> Drawn:
-    """Conversion from powers of t to Bézier points."""
-    curve = _bezier_curve(_drawn_points(rng, rng.choice((2, 3)) + 1))
-    made = tuple(_coefficients(f) for f in curve.p)
-    if not all(_small(c) and len(c) > 1 for c in made) or max(map(len, made)) != curve.degree + 1:
-        return None
-    words = f"A curve is given by % and %. Find its Bézier points of degree {curve.degree} over [0, 1]."
-    task = sentence(words, *(Math(name, (Polynomial(c),)) for name, c in zip(("x(t)", "y(t)"), made, strict=True)))
-    solution = sentence(
-        "The coefficient of t to the power k, divided by the binomial coefficient, is the k-th difference of the "
-        "Bézier points, which are therefore %.",
-        _points_of(curve),
-    )
-    return task, Points(curve), solution
-
-
-def _continuity(rng: Random) -> Drawn:
-    """The smoothness of a function at a knot."""
-    degree = rng.choice((2, 3))
-    smooth, multiplicity = rng.randint(0, degree + 1), rng.randint(1, degree + 1)
-    multiplicity = max(smooth, multiplicity)
-    knots = [0] * (degree + 1) + [1] * smooth + [2] * (degree + 1)
-    f = BSpline(degree, knots, [x for (x,) in _drawn_points(rng, len(knots) - degree - 1, 1)])
-    f = f.insert_knot(1, multiplicity - smooth) if multiplicity > smooth else f
-    factor = max(int(x.denominator) for x in f.control_points)
-    if factor > 4 or f.true_degree < degree:
-        return None
-    f = f.scaled(factor)
-    if not _small(f.control_points):
-        return None
-    asked = sentence(
-        ". How many times is it continuously differentiable at %? (−1 if it jumps, "
-        f"{degree} if it is the same polynomial on both sides.)",
-        Math("t", (mpq(1),)),
-    )
-    order = f.continuity_at(1)
-    solution: list[str] = []
-    for k in range(min(order + 1, degree) + 1):
-        g = f.d(k)
-        sides = f"{text(g(1, 'left'))} from the left and {text(g(1))} from the right"
-        solution.append(f"{'The value' if not k else f'The derivative of order {k}'} is {sides}. ")
-    return (*_given_curve(f, "function"), *asked), Numbers(("the order",), (mpq(order),)), tuple(solution)
-
-
-TOPICS: dict[str, Topic] = {
-    "evaluation": _evaluation,
-    "derivative": _derivative,
-    "insertion": _insertion,
-    "elevation": _elevation,
-    "subdivision": _subdivision,
-    "product": _product,
-    "power": _power,
-    "bezier": _bezier,
-    "continuity": _continuity,
-    "support": _support,
-    "hull": _hull,
-    "inflections": _inflections,
-    "curvature": _curvature,
-    "osculating": _osculating,
-    "circle": _circle,
-    "weight": _weight,
-}
-#: Hints for the first step, without numbers of the answer.
-HINTS = {
-    "evaluation": "The control points of the segment that contains t begin the triangle. In step k neighbours "
-    "are combined with the weights (b − t)/(b − a) and (t − a)/(b − a), where [a, b] consists of degree + 1 − k "
-    "intervals between neighbouring knots.",
-    "derivative": "The derivative has the degree one lower, and its control points are the differences of neighbours "
-    "times the degree, divided by the difference of the knots; then de Boor's triangle.",
-    "insertion": "The control points far from t stay. Each new one lies between two old neighbours: it is the first "
-    "step of de Boor's triangle at t.",
-    "elevation": "The ends stay. From degree n to n + 1 the new point i is i/(n + 1) times the old point i − 1 plus "
-    "1 − i/(n + 1) times the old point i.",
-    "subdivision": "De Casteljau's triangle at t: the first points of its columns.",
-    "product": "Multiply the points by binomial coefficients, multiply the two lists as polynomials, and divide by the "
-    "binomial coefficients of the sum of the degrees.",
-    "power": "The constant term is the first point; the next coefficient is the degree times the first difference; "
-    "the coefficient of t² takes the second difference and the binomial coefficient.",
-    "bezier": "Divide the coefficient of t to the power k by the binomial coefficient: these are the differences of "
-    "order k at the first point.",
-    "continuity": "Compare the values of both sides, then the first derivatives, and so on, until two differ.",
-    "support": "The basis function of control point i begins at knot i and ends degree + 1 knots later.",
-    "hull": "Which control points have influence on this interval? There are degree + 1 of them.",
-    "inflections": "Where does x′y″ − y′x″ change its sign? For a cubic it has at most the degree 2.",
-    "curvature": "κ = (x′y″ − y′x″)/(x′² + y′²)^(3/2); at an end the derivatives are differences of control points.",
-    "osculating": "The centre is the point plus (x′² + y′²)/(x′y″ − y′x″) times (−y′, x′).",
-    "circle": "Three points decide which circle it can be: take the ends and the middle. Then every coefficient of "
-    "the equation must vanish.",
-    "weight": "Put t into the quotient and multiply by the denominator: the equation for w is linear.",
-}
 #: The maximal number of draws for one exercise; a topic that needs a hundredth of it is already slow.
 MOST_DRAWS = 100_000
 
