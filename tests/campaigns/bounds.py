@@ -11,7 +11,6 @@ the order that they were made with. What is refused as out of reach is counted.
 """
 
 import sys
-from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
@@ -22,6 +21,8 @@ from exactspline import Nurbs, ask
 from exactspline.errors import WeightError
 from tests.support.dials import DIALS
 from tests.support.families import by_families
+from tests.support.oracles import jet
+from tests.support.vectors import cross, dot, mpf_of
 
 #: Relative errors that are left by 60 digits, and by difference quotients of this width.
 with mp.workdps(60):
@@ -58,39 +59,13 @@ class Oracle:
     """A curve by its control points alone."""
 
     def __init__(self, curve):
-        self.degree = curve.degree
-        self.knots = [Fraction(str(t)) for t in curve.knots]
-        rows = zip(curve.control_points, curve.weights, strict=True)
-        self.points = [[Fraction(str(w)) * Fraction(str(x)) for x in (*p, 1)] for p, w in rows]
+        self.degree, self.knots = curve.degree, list(curve.knots)
+        self.points = [[w * x for x in (*p, 1)] for p, w in zip(curve.control_points, curve.weights, strict=True)]
         self.breaks = sorted({*self.knots})
 
     def derivatives(self, t, left):
-        """The point and three derivatives at a fraction, from one side."""
-        degree, knots, points = self.degree, self.knots, self.points
-        span = max(k for k in range(len(knots) - 1) if (knots[k] < t if left else knots[k] <= t) and k < len(points))
-        rows = []
-        for _ in range(4):
-            rows.append(self.at(t, span - (self.degree - degree), degree, knots, points) if degree >= 0 else None)
-            points = [
-                [degree * (b - a) / (knots[i + degree + 1] - knots[i + 1]) for a, b in zip(p, q, strict=True)]
-                if knots[i + degree + 1] > knots[i + 1]
-                else [Fraction(0)] * len(p)
-                for i, (p, q) in enumerate(pairwise(points))
-            ]
-            knots, degree = knots[1:-1], degree - 1
-        zero = [Fraction(0)] * len(self.points[0])
-        return self.divided([row or zero for row in rows])
-
-    @staticmethod
-    def at(t, span, degree, knots, points):
-        """De Boor's algorithm."""
-        rows = [list(points[span - degree + k]) for k in range(degree + 1)]
-        for r in range(1, degree + 1):
-            for k in range(degree, r - 1, -1):
-                low, high = knots[span - degree + k], knots[span + 1 + k - r]
-                a = (t - low) / (high - low)
-                rows[k] = [(1 - a) * x + a * y for x, y in zip(rows[k - 1], rows[k], strict=True)]
-        return rows[degree]
+        """The point and three derivatives at a rational number, from one side."""
+        return self.divided(jet(self.knots, self.degree, self.points, t, 3, "left" if left else "right"))
 
     @staticmethod
     def divided(rows):
@@ -107,15 +82,15 @@ class Oracle:
     def sizes(self, t, left=False):
         """Speed, signed curvature and torsion; None where they are not defined."""
         _, a, b, c = self.derivatives(t, left)
-        speed = mp.sqrt(number_of(dot(a, a)))
+        speed = mp.sqrt(mpf_of(dot(a, a)))
         if not speed:
             return speed, None, None
         if len(a) == 2:
-            return speed, number_of(a[0] * b[1] - a[1] * b[0]) / speed**3, None
+            return speed, mpf_of(a[0] * b[1] - a[1] * b[0]) / speed**3, None
         n = cross(a, b)
         turned = dot(n, n)
-        torsion = number_of(dot(n, c) / turned) if turned else None
-        return speed, mp.sqrt(number_of(turned)) / speed**3, torsion
+        torsion = mpf_of(dot(n, c) / turned) if turned else None
+        return speed, mp.sqrt(mpf_of(turned)) / speed**3, torsion
 
     def size(self, name, t, left=False):
         """What a question bounds."""
@@ -127,7 +102,7 @@ class Oracle:
 
     def slope(self, t, left=False):
         """dκ/ds by a difference quotient inside the segment."""
-        h = Fraction(1, 10**15)
+        h = mpq(1, 10**15)
         # in space |κ| has two derivatives where it vanishes
         beside = [x for x in self.breaks if abs(x - t) < 2 * h] or not self.sizes(t)[1]
         steps = (-2 * h, -h, 0) if beside and left else (0, h, 2 * h) if beside else (-h, 0, h)
@@ -139,19 +114,6 @@ class Oracle:
         return quotient / self.sizes(t, left)[0]
 
 
-def number_of(x):
-    """A fraction as a number of mpmath."""
-    return mpf(x.numerator) / x.denominator
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
 # ---- comparison
 
 
@@ -161,19 +123,19 @@ def digits(x):
 
 def fraction(x):
     """A rational number near a parameter."""
-    return Fraction(str(x.exact)) if x.exact is not None else Fraction(str(x.decimal(55)))
+    return x.exact if x.exact is not None else mpq(x.decimal(55))
 
 
 def samples(oracle):
     """Parameters inside the segments."""
-    return [a + (b - a) * Fraction(2 * k + 1, 2 * SAMPLES) for a, b in pairwise(oracle.breaks) for k in range(SAMPLES)]
+    return [a + (b - a) * mpq(2 * k + 1, 2 * SAMPLES) for a, b in pairwise(oracle.breaks) for k in range(SAMPLES)]
 
 
 def searched(f, low, high):
     """A parameter with a large value between two, by thirds."""
     for _ in range(24):
-        a, b = low + (high - low) * Fraction(1, 3), high - (high - low) * Fraction(1, 3)
-        a, b = a.limit_denominator(10**14), b.limit_denominator(10**14)
+        a, b = low + (high - low) * mpq(1, 3), high - (high - low) * mpq(1, 3)
+        a, b = (mpq(round(x * 10**14), 10**14) for x in (a, b))
         if (f(a) or 0) < (f(b) or 0):
             low = a
         else:
@@ -218,7 +180,7 @@ def differs_largest(curve, name):
     return ""
 
 
-STEPS = [sign * Fraction(1, 10**k) for k in (9, 12) for sign in (-1, 1)]
+STEPS = [sign * mpq(1, 10**k) for k in (9, 12) for sign in (-1, 1)]
 
 
 def differs_above(curve, random):
@@ -229,13 +191,13 @@ def differs_above(curve, random):
     middle = sorted(x or mpf(0) for x in values)[random.randrange(len(values))]
     if not middle:
         return ""
-    scale = Fraction(10) ** (int(mp.floor(mp.log10(middle))) - 2)
-    bound = int(middle / number_of(scale)) * scale
+    scale = mpq(10) ** (int(mp.floor(mp.log10(middle))) - 2)
+    bound = int(middle / mpf_of(scale)) * scale
     (holds, *parts) = ask(curve, f"curvature_at_most:{bound}")
     ends = [(x.values["start"], x.values["end"]) for x in parts]
-    exact = number_of(bound)
+    exact = mpf_of(bound)
     for t, x in zip(places, values, strict=True):
-        inside = any(a < mpq(t) < b if a < b else not b <= mpq(t) <= a for a, b in ends)
+        inside = any(a < t < b if a < b else not b <= t <= a for a, b in ends)
         if x is not None and abs(x - exact) > CLOSE * exact and inside != (x > exact):
             return f"{mp.nstr(x, 20)} at {t}, bound {bound}"
     return "" if (holds.facts["holds"] == "yes") == (not parts) else "yes and no"
@@ -243,7 +205,7 @@ def differs_above(curve, random):
 
 def differs_slope(curve, random):
     """What is wrong with dκ/ds at a parameter."""
-    oracle, t = Oracle(curve), Fraction(random.randint(1, 96), 97)
+    oracle, t = Oracle(curve), mpq(random.randint(1, 96), 97)
     expected = oracle.slope(t)
     found = digits(ask(curve, f"curvature_derivative@{t}")[0].values["curvature derivative"])
     speed, kappa, _ = oracle.sizes(t)
@@ -262,25 +224,21 @@ def joined_pair(number, random, dimension):
     slope = [x - y for x, y in zip(own[4], own[3], strict=True)]
     if not any(slope):
         return None
-    factor = random.choice([1, 1, 2, Fraction(1, 3)])
+    factor = random.choice([1, 1, 2, mpq(1, 3)])
     # the curve beyond its end, by de Casteljau's algorithm
-    rows = [[[Fraction(str(x)) for x in p] for p in own]]
+    rows = [own]
     for _ in range(4):
         rows.append([[x + (1 + factor) * (y - x) for x, y in zip(p, q, strict=True)] for p, q in pairwise(rows[-1])])
     other = [row[-1] for row in rows]
     order = random.randint(-1, 3)
     if order < 3:
-        shift = [Fraction(str(number(random) or 1)) for _ in range(dimension)]
-        flat = [Fraction(str(x)) for x in slope]
-        if all(a * y == b * x for (a, b), (x, y) in zip(pairwise(shift), pairwise(flat), strict=True)):
+        shift = [number(random) or mpq(1) for _ in range(dimension)]
+        if all(a * y == b * x for (a, b), (x, y) in zip(pairwise(shift), pairwise(slope), strict=True)):
             return None
         for k in range(order + 1, 5):
             other[k] = [x + y for x, y in zip(other[k], shift, strict=True)]
     parametric = min(order, 3 if factor == 1 else 0)
-    curves = [
-        Nurbs(4, [0] * 5 + [1] * 5, [[f"{x.numerator}/{x.denominator}" for x in p] for p in points])
-        for points in ([[Fraction(str(x)) for x in p] for p in own], other)
-    ]
+    curves = [Nurbs(4, [0] * 5 + [1] * 5, points) for points in (own, other)]
     if any(curve.closed for curve in curves):
         return None
     ends = [1, 0]
@@ -300,15 +258,15 @@ def differs_junction(number, random, dimension):
     found = next(x for x in answer if [x.values["first"], x.values["second"]] == ends)
     if (found.facts["geometric"], found.facts["parametric"]) != (order, parametric):
         return f"{found.facts}, not {order} and {parametric}"
-    sides = [Oracle(curve).derivatives(Fraction(t), bool(t)) for curve, t in zip(curves, ends, strict=True)]
+    sides = [Oracle(curve).derivatives(mpq(t), bool(t)) for curve, t in zip(curves, ends, strict=True)]
     gap, angle, jump = measured(*sides, *ends)
     named = [digits(found.values[name]) for name in ("gap", "angle", "curvature jump")]
     for x, y, size in zip(named, (gap, angle, jump[0]), (gap, 1, jump[1]), strict=True):
         if abs(x - y) > CLOSE * (size + abs(y)):
             return f"{mp.nstr(x, 20)}, not {mp.nstr(y, 20)}"
-    within = Fraction(random.randint(1, 40), random.choice([1, 10, 1000]))
+    within = mpq(random.randint(1, 40), random.choice([1, 10, 1000]))
     limits = [gap, 2 * mp.sin(mp.radians(angle) / 2), jump[0]]
-    bound = number_of(within)
+    bound = mpf_of(within)
     expected = next((k - 1 for k, x in enumerate(limits) if x > bound), 2)
     near = ask(tuple(curves), f"junctions_within:{within}")
     reported = next(x for x in near if [x.values["first"], x.values["second"]] == ends).facts["geometric"]
@@ -321,8 +279,8 @@ def measured(first, second, end, start):
     bends = []
     for _, a, b, _ in (first, second):
         along = dot(a, b) / dot(a, a)
-        bends.append([number_of((y - along * x) / dot(a, a)) for x, y in zip(a, b, strict=True)])
-    first, second = ([[number_of(x) for x in row] for row in rows] for rows in (first, second))
+        bends.append([mpf_of((y - along * x) / dot(a, a)) for x, y in zip(a, b, strict=True)])
+    first, second = ([[mpf_of(x) for x in row] for row in rows] for rows in (first, second))
     tangents = [[s * x / mp.sqrt(dot(r[1], r[1])) for x in r[1]] for s, r in zip(signs, (first, second), strict=True)]
     difference = [x - y for x, y in zip(*tangents, strict=True)]
     total = [x + y for x, y in zip(*tangents, strict=True)]

@@ -12,7 +12,6 @@ construction. Some second surfaces are run through in other directions, of highe
 """
 
 import sys
-from fractions import Fraction
 from itertools import pairwise, product
 from random import Random
 
@@ -21,13 +20,15 @@ from mpmath import mp, mpf
 
 from exactspline import ask
 from exactspline.errors import WeightError
-from tests.campaigns.surface_meetings import boor, near
+from tests.campaigns.surface_meetings import homogeneous, near
 from tests.support.changes import surface_from, transposed
 from tests.support.dials import DIALS
 from tests.support.families import by_families
+from tests.support.oracles import jet
+from tests.support.vectors import cross, dot, mpf_of
 
 #: Samples of an arc, and relative errors that are left by forty digits.
-SAMPLES, EXACT = 24, Fraction(1, 10**26)
+SAMPLES, EXACT = 24, mpq(1, 10**26)
 
 
 # ---- surfaces
@@ -125,14 +126,6 @@ def apart(number, random):
     return first, second
 
 
-def homogeneous(surface):
-    """Its homogeneous control points."""
-    return [
-        [(*(x * w for x in p), w) for p, w in zip(*rows, strict=True)]
-        for rows in zip(surface.control_points, surface.weights, strict=True)
-    ]
-
-
 def flipped(surface, k):
     """One parameter run through the other way."""
     net, knots = homogeneous(surface), list(surface.knots)
@@ -175,27 +168,27 @@ class Oracle:
     """A surface by its control points alone."""
 
     def __init__(self, surface):
-        self.knots = [[Fraction(str(t)) for t in own] for own in surface.knots]
-        self.degree = tuple(surface.degree)
-        self.net = [[[Fraction(str(x)) for x in p] for p in row] for row in homogeneous(surface)]
+        self.knots, self.degree = [list(own) for own in surface.knots], tuple(surface.degree)
+        self.net = homogeneous(surface)
         self.domain = [(own[n], own[-n - 1]) for own, n in zip(self.knots, self.degree, strict=True)]
 
-    def partial(self, orders, place):
-        """A derivative of coordinates and weight together."""
-        rows = [derivative(self.degree[1], self.knots[1], row, place[1], orders[1]) for row in self.net]
-        return derivative(self.degree[0], self.knots[0], rows, place[0], orders[0])
+    def partials(self, place, order):
+        """The derivatives up to an order of coordinates and weight together, by their orders."""
+        rows = [jet(self.knots[1], self.degree[1], row, place[1], order) for row in self.net]
+        columns = zip(*rows, strict=True)
+        along = [jet(self.knots[0], self.degree[0], c, place[0], order) for c in columns]
+        return {(i, j): along[j][i] for i in range(order + 1) for j in range(order + 1)}
 
     def jet(self, place):
         """S, S_u, S_v, S_uu, S_uv, S_vv by the quotient rule."""
-        found = {}
+        found, partials = {}, self.partials(place, 2)
         for i, j in [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)]:
-            value = self.partial((i, j), place)
+            value = partials[i, j]
             for (a, b), (times, k) in {(0, 0): ((i, j), 1), (1, 0): ((i - 1, j), i), (0, 1): ((i, j - 1), j)}.items():
                 if times != (0, 0) and min(times) >= 0 and (a, b) in found and (a, b) != (i, j):
-                    w = self.partial(times, place)[3]
+                    w = partials[times][3]
                     value = [x - k * w * y for x, y in zip(value[:3], found[a, b], strict=True)]
-            w = self.partial((0, 0), place)[3]
-            found[i, j] = [x / w for x in value[:3]]
+            found[i, j] = [x / partials[0, 0][3] for x in value[:3]]
         return found
 
     def beside(self, edge, t, *, out, sign):
@@ -218,32 +211,8 @@ class Oracle:
         """A point of a border."""
         place = [t, t]
         place[edge[0]] = self.domain[edge[0]][edge[1]]
-        *p, w = self.partial((0, 0), place)
+        *p, w = self.partials(place, 0)[0, 0]
         return [x / w for x in p]
-
-
-def derivative(n, knots, points, t, order):
-    """A derivative of a spline, by differences of its control points."""
-    for _ in range(order):
-        if n == 0:
-            return [Fraction(0)] * len(points[0])
-        widths = [b - a for a, b in zip(knots[1:], knots[n + 1 :], strict=False)]
-        steps = [[y - x for x, y in zip(p, q, strict=True)] for p, q in pairwise(points)]
-        points = [
-            [n * x / width if width else Fraction(0) for x in step] for step, width in zip(steps, widths, strict=False)
-        ]
-        knots, n = knots[1:-1], n - 1
-    return boor(n, knots, points, t)
-
-
-def cross(a, b):
-    """The product of two vectors."""
-    return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
-
-
-def dot(a, b):
-    """The scalar product."""
-    return sum(x * y for x, y in zip(a, b, strict=True))
 
 
 # ---- comparison
@@ -290,7 +259,7 @@ def same_border(oracles, edges):
     """Whether two borders are one curve, with parameters that are linear functions of each other."""
     (one, other), (first, second) = oracles, edges
     (a, b), (c, d) = (each.domain[1 - edge[0]] for each, edge in zip(oracles, edges, strict=True))
-    parts = [Fraction(k, 19) for k in range(20)]
+    parts = [mpq(k, 19) for k in range(20)]
     points = [one.point(first, a + (b - a) * x) for x in parts]
     if all(point == points[0] for point in points):
         return False
@@ -307,12 +276,12 @@ def differs_arc(oracles, edges, row, points):
     if row.what == "common arc":
         gaps = [a_gap for x, y in ((a, c), (b, d)) if (a_gap := gap(oracles, edges, x, y)) > EXACT]
         return "the ends are apart" if gaps else ""
-    a, b, c, d = (Fraction(str(x.exact)) for x in ends)
+    a, b, c, d = (x.exact for x in ends)
     sign = 1 if d > c else -1
     places = [near(x.values["first"]) for x in points]
     signs, parts = [], []
     for k in range(1, SAMPLES):
-        t = a + (b - a) * Fraction(2 * k * SAMPLES + 1, 2 * SAMPLES * SAMPLES)
+        t = a + (b - a) * mpq(2 * k * SAMPLES + 1, 2 * SAMPLES * SAMPLES)
         p, n, along, h = oracles[0].beside(edges[0], t, out=True, sign=1)
         q, m, _, g = oracles[1].beside(edges[1], c + (t - a) * (d - c) / (b - a), out=False, sign=sign)
         if p != q:
@@ -336,11 +305,9 @@ def differs_arc(oracles, edges, row, points):
         parts.append(same)
         if "angle" in row.values:
             with mp.workdps(40):
-                cosine = mpf(1) * product_.numerator / product_.denominator
-                size = dot(n, n) * dot(m, m)
-                angle = mp.degrees(mp.acos(cosine / mp.sqrt(mpf(size.numerator) / size.denominator)))
+                angle = mp.degrees(mp.acos(mpf_of(product_) / mp.sqrt(mpf_of(dot(n, n) * dot(m, m)))))
                 value = near(row.values["angle"])
-                if abs(angle - mpf(value.numerator) / value.denominator) > mpf(10) ** -15:
+                if abs(angle - mpf_of(value)) > mpf(10) ** -15:
                     return f"the angle is {angle} at {float(t)}"
     if row.what == "jump of the curvature" and all(parts):
         return "the curvature does not jump"
@@ -373,7 +340,7 @@ def differs_place(oracles, edges, row, ends):
     n = oracles[0].beside(edges[0], t, out=True, sign=1)[1]
     m = oracles[1].beside(edges[1], s, out=False, sign=1 if d > c else -1)[1]
     # by the size that normals have elsewhere
-    other = oracles[0].beside(edges[0], a + (b - a) * Fraction(3, 7), out=True, sign=1)[1]
+    other = oracles[0].beside(edges[0], a + (b - a) * mpq(3, 7), out=True, sign=1)[1]
     size, own = dot(n, n), dot(m, m)
     if row.what == "no tangent plane":
         return (

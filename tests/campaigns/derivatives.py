@@ -7,17 +7,12 @@ less. The exit status is 1 where a changed one is PROVED, or a true one is not.
 """
 
 import sys
-from collections import Counter
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from exactspline.papers import load_paper
-from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import combined
-from tests.verification.test_own_paper import written
+from tests.support.changed_claims import judged, told
 
 #: The sentence of the documentation that is judged.
 COMPARED = ("left = factor · right",)
+SIDES = ("left", "right")
 V, A, J = "c.gamma.d(1)", "c.gamma.d(2)", "c.gamma.d(3)"
 B = f"cross({V}, {A})"
 FORMULAS = f"""
@@ -77,46 +72,21 @@ TERMS = {"framed space": ["t(c)", "b(c)", "n(c) * w(c)"], "space": [V, "line(c)"
 def changed():
     """The true identities, and those that are false, each with the number of the true one."""
     for i, (kind, left, right) in enumerate(TRUE):
-        yield i, True, kind, left, right
+        yield i, True, kind, (left, right)
         for scale in SCALES[kind]:
-            yield i, False, kind, left, f"({right}) * {scale}"
+            yield i, False, kind, (left, f"({right}) * {scale}")
         for term in TERMS[kind]:
             scalar = left.startswith(("dot", "det"))
-            yield i, False, kind, left, f"{right} + {f'norm2({term})' if scalar else term}"
-        yield i, False, kind, left, f"({right}).d(1)"
+            yield i, False, kind, (left, f"{right} + {f'norm2({term})' if scalar else term}")
+        yield i, False, kind, (left, f"({right}).d(1)")
         if "d(2)" not in left:
-            yield i, False, kind, f"({left}).d(1)", right
-
-
-def folder_of(place):
-    """A folder of all these identities."""
-    text, claims = FORMULAS, []
-    for number, (_, _, kind, *sides) in enumerate(changed()):
-        names = {side: f"{side}_{number}" for side in ("left", "right")}
-        for name, body in zip(names.values(), sides, strict=True):
-            text += f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body}\n"
-        told = {"id": str(number), "kind": "identity", "statement": "s", "status": "ours", "curve": kind}
-        claims.append(told | names)
-    return written(place, text, claims)
+            yield i, False, kind, (f"({left}).d(1)", right)
 
 
 def campaign(step=1):
     """The verdicts on true and on changed identities, and what is wrong."""
-    tally, wrong = Counter(), []
-    with TemporaryDirectory() as place:
-        claims = claims_of(load_paper(folder_of(Path(place) / "folder")))
-        for claim, (i, true, *what) in list(zip(claims, changed(), strict=True))[::step]:
-            found = combined(claim)[1]
-            tally["true" if true else "changed", str(found.verdict)] += 1
-            if (found.verdict == "PROVED") != true:
-                wrong.append((i, str(found.verdict), str(found.witness), *what))
-    return tally, wrong
+    return judged(FORMULAS, changed(), lambda names: {"kind": "identity"} | dict(zip(SIDES, names, strict=True)), step)
 
 
 if __name__ == "__main__":
-    tallied, failed = campaign()
-    for (which, verdict), n in sorted(tallied.items()):
-        print(f"{which}: {verdict} {n}")
-    for each in failed:
-        print(*each)
-    sys.exit(bool(failed))
+    sys.exit(told(*campaign()))

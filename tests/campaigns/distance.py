@@ -1,7 +1,7 @@
 """Many distances of two curves, near ties among them, against `nearest` and what the construction knows: seeded.
 
-python -m tests.campaigns.distance 10000 1 --record campaign.json
-python -m tests.campaigns.distance 1 4711 --family ties       one case again
+python -m tests.campaigns.distance 300 1
+python -m tests.campaigns.distance 1 4711 --family ties --dial thirds       one case again
 
 What is compared is what the documentation says: a curve that stands still is a point, whose nearest points `nearest`
 knows; no point of one curve is nearer to a point of the other than the distance, and one that is exactly as near lies
@@ -10,13 +10,8 @@ is symmetric has symmetric answers; the map of an arc carries its points to poin
 left out it is counted, and more than `CEILING` per mille is a difference.
 """
 
-import argparse
-import json
 import sys
-import time
-from collections import Counter
 from contextlib import suppress
-from pathlib import Path
 from random import Random
 
 from gmpy2 import mpq
@@ -25,13 +20,12 @@ from exactspline import BSpline, Nurbs, distance, example, nearest
 from exactspline.errors import WeightError
 from exactspline.language import Vector
 from tests.support.dials import DIALS
+from tests.support.families import by_families
 
 #: Per mille of the cases of a family that may be left out.
 CEILING = 1
 #: What is not decided, and named: no difference, but counted.
 LEFT_OUT = "left out"
-#: Seconds after which an answer counts as slow.
-SLOW = 10
 #: Decimal digits in which distances are compared that are not decided exactly here.
 DIGITS = 2000
 #: Decimal digits by which ties are missed.
@@ -162,7 +156,6 @@ def offsets(random, number):
 
 
 FAMILIES = {family.__name__: family for family in (points, ties, parallels, circles, ellipses, offsets)}
-WEIGHTS = {"points": 5, "ties": 2, "parallels": 2, "circles": 1, "ellipses": 1, "offsets": 1}
 
 
 # ---- comparison
@@ -280,53 +273,13 @@ def near(one, other):
 # ---- the campaign
 
 
-def case(seed, family=None, dial=None):
-    """The curves of a seed, and what is known of their distance."""
-    random = Random(seed)
-    name = random.choices(list(WEIGHTS), WEIGHTS.values())[0]
-    number = random.choice(list(DIALS))
-    family, dial = family or name, dial or number
+def differs(family, dial, seed):
+    """What is wrong with one case, "" where nothing is."""
+    random = Random(f"{family} {dial} {seed}")
     while True:
         with suppress(WeightError):  # a cubic whose derivative vanishes has no offset there
-            return family, dial, *FAMILIES[family](random, DIALS[dial]), random
-
-
-def run(count, seed, family=None, dial=None, told=print):
-    """How many cases of each family and dial agree, and all that differ."""
-    kinds, differences, slow = Counter(), [], []
-    for k in range(seed, seed + count):
-        name, number, curves, known, random = case(k, family, dial)
-        begun = time.process_time()
-        wrong = difference(curves, known, random)
-        seconds = time.process_time() - begun
-        if wrong and wrong != LEFT_OUT:
-            differences.append({"seed": k, "family": name, "dial": number, "what": wrong[:2000]})
-            told(differences[-1])
-        if seconds > SLOW:
-            slow.append([k, name, number, round(seconds, 1)])
-        kinds[name, wrong == LEFT_OUT] += 1
-    left_out = {name: times for (name, out), times in kinds.items() if out}
-    for name, times in left_out.items():
-        if 1000 * times > CEILING * (times + kinds[name, False]):
-            differences.append({"family": name, "what": f"{times} left out"})
-    families = {name: kinds[name, False] + kinds[name, True] for name in FAMILIES}
-    return {"families": families, "left out": left_out, "slow": slow, "differences": differences}
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("count", type=int)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("--family", choices=FAMILIES)
-    parser.add_argument("--dial", choices=DIALS)
-    parser.add_argument("--record", type=Path)
-    given = parser.parse_args()
-    result = run(given.count, given.seed, given.family, given.dial)
-    print(json.dumps(result, indent=1))
-    if given.record:
-        given.record.write_text(json.dumps(vars(given) | result, default=str, indent=1), encoding="utf-8")
-    return 1 if result["differences"] else 0
+            return difference(*FAMILIES[family](random, DIALS[dial]), random)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:], ceiling=CEILING))

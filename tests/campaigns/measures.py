@@ -1,21 +1,17 @@
 """Many lengths, areas, moments and centroids, parameters at lengths and at coordinates, against mpmath: seeded.
 
-python -m tests.campaigns.measures 1000 1 --record campaign.json
-python -m tests.campaigns.measures 1 4711 --family arcs       one case again
+python -m tests.campaigns.measures 50 1
+python -m tests.campaigns.measures 1 4711 --family arcs --dial doubles       one case again
 
 The oracle shares no code: segments are interpolated from values by the recursion of Cox and de Boor, moments are
 integrals over dy alone, and mpmath integrates at 50 digits. Where its own estimate of the error is too large, a case is
 counted and not judged; so is what the answer leaves open.
 """
 
-import argparse
-import json
 import re
 import sys
-from collections import Counter
 from fractions import Fraction
 from itertools import pairwise
-from pathlib import Path
 from random import Random
 
 import mpmath
@@ -24,6 +20,7 @@ from gmpy2 import mpq
 from exactspline import Nurbs, analyse, example
 from exactspline.errors import OpenError
 from tests.support.dials import DIALS
+from tests.support.families import by_families
 
 #: Digits of the oracle, and the relative difference that is one.
 DIGITS, CLOSE = 50, mpmath.mpf(10) ** -22
@@ -295,49 +292,25 @@ def coordinates(curve, oracle, random):
     yield "at_coordinate", both and not found.everywhere
 
 
-def case(seed, family, dial):
-    """What is compared of one curve: the questions, each with True, False, or None where it is not judged."""
-    random = Random(f"{seed} {family} {dial}")
-    curve = FAMILIES[family](random, DIALS[dial])
+def compared(curve, random):
+    """What is compared of one curve: the questions, each with True, False, or the reason why it is not judged."""
     with mpmath.workdps(DIGITS):
-        oracle, told = Oracle(curve), []
+        oracle = Oracle(curve)
         for questions in (lengths, coordinates, *([areas] if curve.dimension == 2 else [])):
             try:
-                told += [
-                    (name, {True: "right", False: "wrong", None: UNJUDGED}[x])
-                    for name, x in questions(curve, oracle, random)
-                ]
-            except OpenError as error:
-                told.append((questions.__name__, f"{OPEN}: {error}"))
-    return curve, told
+                for name, agreed in questions(curve, oracle, random):
+                    yield name, UNJUDGED if agreed is None else agreed
+            except OpenError:
+                yield questions.__name__, OPEN
 
 
-def run(count, seed, family=None, dial=None):
-    """This many cases, their families and dials in turn."""
-    counts, differences = Counter(), []
-    kinds = [(f, d) for d in DIALS for f in FAMILIES if family in (None, f) and dial in (None, d)]
-    for i in range(count):
-        own = kinds[i % len(kinds)]
-        _, told = case(seed + i, *own)
-        counts.update(f"{name}: {word}" for name, word in told)
-        differences += [(seed + i, *own, name) for name, word in told if word == "wrong"]
-    return {"counts": dict(sorted(counts.items())), "differences": differences}
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("count", type=int)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("--family", choices=FAMILIES)
-    parser.add_argument("--dial", choices=DIALS)
-    parser.add_argument("--record", type=Path)
-    given = parser.parse_args()
-    result = run(given.count, given.seed, given.family, given.dial)
-    print(json.dumps(result, indent=1))
-    if given.record:
-        given.record.write_text(json.dumps(vars(given) | result, default=str, indent=1), encoding="utf-8")
-    return 1 if result["differences"] else 0
+def differs(family, dial, seed):
+    """The questions whose answer about one curve is wrong; what is not judged where none is."""
+    random = Random(f"{family} {dial} {seed}")
+    told = list(compared(FAMILIES[family](random, DIALS[dial]), random))
+    wrong = [name for name, agreed in told if agreed is False]
+    return ", ".join(wrong) or next((x for _, x in told if x in (OPEN, UNJUDGED)), "")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:]))

@@ -11,7 +11,6 @@ Darboux's normal form, of which the kind is known. What is refused as out of rea
 """
 
 import sys
-from fractions import Fraction
 from itertools import pairwise, product
 from random import Random
 
@@ -24,9 +23,10 @@ from exactspline.bivariate.zeros import ZeroKind
 from exactspline.errors import ShapeError, WeightError
 from tests.support.dials import DIALS
 from tests.support.families import by_families
+from tests.support.oracles import jet
 
 #: Relative errors that are left by forty digits; by searches in doubles; and of places that these find.
-EXACT, FOUND, NEAR = Fraction(1, 10**28), 1e-9, 1e-5
+EXACT, FOUND, NEAR = mpq(1, 10**28), 1e-9, 1e-5
 #: Points along each parameter of a patch from which is searched.
 STARTS, STEPS = 12, 30
 
@@ -75,24 +75,21 @@ class Oracle:
 
     def __init__(self, surface):
         self.degree = surface.degree
-        self.knots = [[Fraction(str(t)) for t in own] for own in surface.knots]
-        self.net = [
-            [[Fraction(str(w)) * Fraction(str(x)) for x in (*p, 1)] for p, w in zip(points, weights, strict=True)]
-            for points, weights in zip(surface.control_points, surface.weights, strict=True)
-        ]
-        self.size = max(abs(x / p[3]) for row in self.net for p in row for x in p[:3]) or Fraction(1)
+        self.knots = [list(own) for own in surface.knots]
+        self.net = homogeneous(surface)
+        self.size = max(abs(x / p[3]) for row in self.net for p in row for x in p[:3]) or mpq(1)
         floats = [[[float(x / self.size) for x in p[:3]] + [float(p[3])] for p in row] for row in self.net]
         self.floats = np.array(floats)
         self.knots_in_doubles = [np.array([float(t) for t in own]) for own in self.knots]
         self.domain = [(own[0], own[-1]) for own in self.knots_in_doubles]
 
     def homogeneous(self, u, v):
-        """De Boor's algorithm in fractions."""
-        rows = [boor(self.degree[1], self.knots[1], row, v) for row in self.net]
-        return boor(self.degree[0], self.knots[0], rows, u)
+        """De Boor's algorithm in rational numbers."""
+        rows = [jet(self.knots[1], self.degree[1], row, v, 0)[0] for row in self.net]
+        return jet(self.knots[0], self.degree[0], rows, u, 0)[0]
 
     def __call__(self, u, v):
-        *p, w = self.homogeneous(Fraction(str(u)), Fraction(str(v)))
+        *p, w = self.homogeneous(u, v)
         return [x / w for x in p]
 
     def basis(self, k, t, order):
@@ -186,16 +183,12 @@ class Oracle:
         return found
 
 
-def boor(n, knots, points, t):
-    """A point of a spline curve."""
-    span = max(k for k in range(n, len(knots) - n - 1) if knots[k] <= t and knots[k] < knots[k + 1])
-    rows = [list(points[span - n + k]) for k in range(n + 1)]
-    for r in range(1, n + 1):
-        for k in range(n, r - 1, -1):
-            low, high = knots[span - n + k], knots[span + 1 + k - r]
-            a = (t - low) / (high - low)
-            rows[k] = [(1 - a) * x + a * y for x, y in zip(rows[k - 1], rows[k], strict=True)]
-    return rows[n]
+def homogeneous(surface):
+    """Its homogeneous control points."""
+    return [
+        [(*(x * w for x in p), w) for p, w in zip(*rows, strict=True)]
+        for rows in zip(surface.control_points, surface.weights, strict=True)
+    ]
 
 
 # ---- comparison
@@ -203,13 +196,12 @@ def boor(n, knots, points, t):
 
 def near(number, digits=45):
     """A rational number near a real one, absolutely."""
-    low, high = number.enclosure(digits)
-    return Fraction(str((low + high) / 2))
+    return number.enclosure(digits).middle
 
 
 def doubles(vector, size):
     """Numbers over the size of a surface, as doubles."""
-    return np.array([float(Fraction(str(x)) / size) for x in vector])
+    return np.array([float(x / size) for x in vector])
 
 
 def listed(*vectors):
@@ -232,28 +224,26 @@ def differs_nearest(number, random):
     if kind == "on it":
         point = surface(*place_on(surface, random))
     found = ask(surface, f"nearest:{listed(point)}")
-    exact = [Fraction(str(x)) for x in point]
     # the digits are relative to the size of the surface
-    scale = mpq(str(oracle.size))
-    squared = near(found.squared * (1 / scale**2))
+    squared = near(found.squared * (1 / oracle.size**2))
     places = [tuple(near(x) for x in place.zero.numbers) for place in found]
     corners = [
         (u, v) for part in found.everywhere if not part.along_curve for u in part.sides[0] for v in part.sides[1]
     ]
     for u, v in [*places, *corners]:
-        here = sum(((x - y) / oracle.size) ** 2 for x, y in zip(oracle(u, v), exact, strict=True))
+        here = sum(((x - y) / oracle.size) ** 2 for x, y in zip(oracle(u, v), point, strict=True))
         if abs(here - squared) > EXACT:
             return f"{float(here)} at {float(u)}, {float(v)}, not {float(squared)}"
     for foot, (u, v) in zip(found.feet, places, strict=True):
         for x, y in zip(foot, oracle(u, v), strict=True):
-            if abs(near(x * (1 / scale)) - y / oracle.size) > EXACT:
+            if abs(near(x * (1 / oracle.size)) - y / oracle.size) > EXACT:
                 return "the foot is not at the parameters"
     goal = doubles(point, oracle.size)
     least, where = oracle.least(lambda s: ((s - goal) ** 2).sum(axis=1), lambda s: 2 * (s - goal))
     if least < float(squared) - FOUND * (1 + float(squared)):
         return f"{least} at {where}, below {float(squared)}"
     if kind == "symmetric" and not found.everywhere:
-        total = Fraction(str(sum(surface.domain[0])))
+        total = sum(surface.domain[0])
         missing = [p for p in places if not any(abs(total - p[0] - q[0]) + abs(p[1] - q[1]) < EXACT for q in places)]
         if missing:
             return f"the mirror image of {[float(x) for x in missing[0]]} is not listed"
@@ -281,12 +271,11 @@ def differs_line(number, random):
         return ""
     found = ask(surface, f"line_intersections:{listed(start, direction)}")
     k = max(range(3), key=lambda i: abs(direction[i]))
-    scale = mpq(str(oracle.size))
     for one in found:
         u, v = near(one.zero.first), near(one.zero.second)
-        t = near(one.parameter * (direction[k] / scale)) * oracle.size / Fraction(str(direction[k]))
+        t = near(one.parameter * (direction[k] / oracle.size)) * oracle.size / direction[k]
         for x, y, d in zip(oracle(u, v), start, direction, strict=True):
-            if abs(x - Fraction(str(y)) - t * Fraction(str(d))) / oracle.size > EXACT:
+            if abs(x - y - t * d) / oracle.size > EXACT:
                 return f"{one} is not on the line"
     if any(a.parameter > b.parameter for a, b in pairwise(found)):
         return "not in the order of the line"
@@ -297,7 +286,7 @@ def differs_line(number, random):
             return f"{place[0]} is not listed"
         if kind == "tangent" and here and here[0].zero.kind is ZeroKind.TRANSVERSAL and not flat:
             return f"{here[0]} is a tangent"
-    way = doubles(direction, Fraction(str(abs(direction[k]))))
+    way = doubles(direction, abs(direction[k]))
     for u, v in oracle.meetings(doubles(start, oracle.size), way):
         ours = [(one.zero.first.double(), one.zero.second.double()) for one in found]
         if not any(abs(x - u) + abs(y - v) < NEAR for x, y in ours) and not any(
@@ -340,7 +329,7 @@ def differs_plane(number, random):
         return ""
     runs = [[(float(u), float(v)) for u, v in run] for run in found.sampled(60)]
     runs += [[(x.first.double(), x.second.double())] for x in found.points]
-    up, level = np.array([float(x) for x in normal]), float(Fraction(str(offset)) / oracle.size)
+    up, level = np.array([float(x) for x in normal]), float(offset / oracle.size)
     if runs:
         places = np.array([place for run in runs for place in run])
         s, a, b = oracle.at(places[:, 0], places[:, 1])
@@ -371,13 +360,12 @@ def distance(point, run):
 def differs_box(number, random):
     """What is wrong with a bounding box."""
     surface = surface_of(number, random)
-    oracle, scale = Oracle(surface), 1
-    scale = mpq(1) / mpq(str(oracle.size))
+    oracle = Oracle(surface)
     u, v = oracle.starts(STARTS)
     points = oracle.at(u, v)[0]
     for k, side in enumerate(ask(surface, "bounding_box")):
         for sign, end in ((1, "low"), (-1, "high")):
-            ours = float(near(side.values[end] * scale)) * sign
+            ours = float(near(side.values[end] * (1 / oracle.size))) * sign
             least, where = oracle.least(
                 lambda s, k=k, sign=sign: sign * s[:, k], lambda s, k=k, sign=sign: sign * np.eye(3)[k]
             )

@@ -7,7 +7,7 @@ ceiling; one that takes longer than `LIMIT` is named. The exit status is 1 where
 family is above its ceiling.
 
 ``python -m tests.campaigns.surfaces 1000 0 knots`` inserts knots instead, also through what was found, and compares
-with what was found before (`KNOTTED`): no oracle there.
+all answers with those before, as the matrix does: no oracle there.
 
 The results of the last whole runs are in `docs/inspecting-surfaces.md`.
 """
@@ -24,9 +24,9 @@ from random import Random
 from gmpy2 import mpq
 
 from exactspline import NurbsSurface, TensorSpline, analyse
-from exactspline.bivariate.across_borders import Place
-from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection, lines_of
-from exactspline.roots.of_polynomials import exactly
+from exactspline.geometry.analysis.surfaces import PatchKind, SurfaceInspection
+from exactspline.questions.entry import Of
+from tests.support.matrix import Counts, Letter, compared, questions
 from tests.support.squares import parameters
 from tests.support.surface_oracle import forms, gaussian_curvature, jets
 from tests.support.vectors import cross
@@ -298,102 +298,20 @@ COMPARED = {
 
 # ---- what is held against what was found before knots were inserted
 
-
-def knotted(surface: NurbsSurface, random: Random, found: SurfaceInspection) -> NurbsSurface:
-    """The surface with a knot in both directions, at rational points that were found, in the middle, or at any."""
-    places = [one.place for one in found.umbilics] + [*found.singular_points, *found.parabolic_points]
-    exact = [place.exact for place in places if place.exact]
-    for k, along in enumerate("uv"):
-        side = surface.domain[k]
-        inner = [x[k] for x in exact if side.low < x[k] < side.high]
-        surface = surface.insert_knot(
-            along, random.choice([*inner, side.middle, side.at(mpq(random.randint(1, 8), 9))])
-        )
-    return surface
-
-
-def other_umbilics(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """By place, kind and whether they are one-sided."""
-    one, other = ([(x.place, (x.kind, x.one_sided)) for x in each.umbilics] for each in (found, cut))
-    return not _same_places(one, other)
-
-
-def other_singular_points(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """By place. Points of poles and curves are compared with these."""
-    return not _same_places(*([(x, ()) for x in each.singular_points] for each in (found, cut)))
-
-
-def other_parabolic_points(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """By place; on developable patches there are none before and after."""
-    return not _same_places(*([(x, ()) for x in each.parabolic_points] for each in (found, cut)))
-
-
-def other_curves(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """Umbilic, singular and parabolic curves where they cross four lines, exactly; the shapes of those
-    that are no lines.
-    """
-    for name in ("umbilics", "singular"):
-        for k, x in product((0, 1), (mpq(19, 61), mpq(53, 97))):
-            at = found.surface.domain[k].at(x)
-            if _crossed(found, name, k, at) != _crossed(cut, name, k, at):
-                return True
-    shapes = [
-        [
-            sorted(curve.shape for curve in each.parabolic_curves),
-            sorted(curve.shape for curve in each.umbilic_curves),
-            sorted(curve.shape for curve in each.singular_curves),
-        ]
-        for each in (found, cut)
-    ]
-    return shapes[0] != shapes[1]
-
-
-def other_lines(found: SurfaceInspection, cut: SurfaceInspection) -> bool:
-    """By all that is listed of them."""
-    return found.parabolic_lines != cut.parabolic_lines
-
-
-def _same_places(one: list[tuple[Place, object]], other: list[tuple[Place, object]]) -> bool:
-    near = [[y for y in other if y[0].box(15).meets(x[0].box(15)) and y[1] == x[1]] for x in one]
-    return len(one) == len(other) and all(len(own) == 1 for own in near)
-
-
-def _crossed(found: SurfaceInspection, name: str, k: int, at: mpq) -> set[object]:
-    """The other parameters at which curves and lines of a kind cross a line."""
-    crossed = set[object]()
-    for one in found.patches:
-        own, side = getattr(one, name), one.sides[1 - k]
-        if not one.sides[k].low <= at <= one.sides[k].high:
-            continue
-        if own.of_factor.curve is not None:
-            crossed |= {exactly(root.moved(side)) for root in own.of_factor.curve._line(k, one.sides[k].local(at))}
-        crossed |= {line.value for line in lines_of(own, one.sides) if line.direction != k}
-    return crossed
-
-
-#: The same, of knots that are inserted.
-KNOTTED = {
-    "an umbilic on a curve or line of umbilics is not listed as a single point": (
-        other_umbilics,
-        other_singular_points,
-        other_parabolic_points,
-    ),
-    "parts on two patches that end at the same point of a common border or seam are joined;": (other_curves,),
-    "Lines of constant u or v on which K vanishes are listed as parabolic lines, whether or not they are knot lines.": (
-        other_lines,
-    ),
-}
+#: The sentences of the documentation that are judged so.
+KNOTTED = (
+    "an umbilic on a curve or line of umbilics is not listed as a single point",
+    "parts on two patches that end at the same point of a common border or seam are joined;",
+)
 
 
 def differences(surface: NurbsSurface, random: Random) -> tuple[list[str], bool]:
-    """What is different with knots inserted, and whether both inspections are complete."""
-    found = analyse(surface)
-    own = knotted(surface, random, found)
-    cut = analyse(own)
-    if not (found.complete and cut.complete):
-        return [], False
-    names = [each.__name__ for own in KNOTTED.values() for each in own if each(found, cut)]
-    return [f"{name} with {own.knots[0]}, {own.knots[1]}" for name in names], True
+    """The questions that are answered otherwise with knots, one of them through what was found, as the matrix tells."""
+    counts, names = Counts(), ("knot on what was found", "knot far away")
+    letters = tuple(Letter(name, random.randrange(1 << 30)) for name in names)
+    for entry in questions(Of.SURFACE):
+        compared(surface, entry, letters, random, counts)
+    return [str(failure) for failure in counts.failures], True
 
 
 def run(count: int, seed: int = SEED, start: int = 0, *, knots: bool = False) -> dict[str, Counter[str]]:

@@ -8,14 +8,8 @@ is 1 where a changed claim is PROVED, one is UNDECIDED without a reason, or a tr
 """
 
 import sys
-from collections import Counter
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from exactspline.papers import load_paper
-from exactspline.verification.claims import claims_of
-from exactspline.verification.combined import combined
-from tests.verification.test_own_paper import written
+from tests.support.changed_claims import judged, told
 
 #: The sentence of the documentation that is judged.
 COMPARED = ("all formulas have the same zeros, wherever the assumptions hold",)
@@ -59,6 +53,12 @@ TRUE = [
     ("framed plane", (F, f"{F} / c.sigma ** 3"), ("w", "γ′")),
     ("framed space", (f"cross({V}, {A})", f"({V} / c.sigma).d(1)"), ("w", "γ′")),
 ]
+TURNING = """
+@formula("e", on="plane")
+def turning(c):
+    p, w = c.p, c.w
+    return det(p.d(1) * w - p * w.d(1), p.d(2) * w - p * w.d(2))
+"""
 #: Those that hold without the last assumption, too.
 INDEPENDENT = {3, 4, 5, 13, 14}
 
@@ -77,38 +77,14 @@ def changed():
             yield i, False, kind, (first, last), assumes[:-1]
 
 
-def folder_of(place):
-    """A folder of all these claims."""
-    text = "@formula('e', on='plane')\ndef turning(c):\n    p, w = c.p, c.w\n"
-    text += "    return det(p.d(1) * w - p * w.d(1), p.d(2) * w - p * w.d(2))\n"
-    claims = []
-    for n, (_, _, kind, bodies, assumes) in enumerate(changed()):
-        names = [f"a{n}", f"b{n}"]
-        for name, body in zip(names, bodies, strict=True):
-            text += f"@formula('e', on='{kind}')\ndef {name}(c):\n    return {body}\n"
-        told = {"id": str(n), "kind": "zero set", "statement": "s", "status": "ours", "curve": kind}
-        claims.append(told | {"formulas": names, "assumes": list(assumes)})
-    return written(place, text, claims)
-
-
 def campaign(step=1):
     """The verdicts on true and on changed claims, and what is wrong."""
-    tally, wrong = Counter(), []
-    with TemporaryDirectory() as place:
-        claims = claims_of(load_paper(folder_of(Path(place) / "folder")))
-        for claim, (i, true, *what) in list(zip(claims, changed(), strict=True))[::step]:
-            found = combined(claim)[1]
-            tally["true" if true else "changed", str(found.verdict)] += 1
-            silent = found.verdict == "UNDECIDED" and found.witness is None
-            if silent or (found.verdict == "PROVED") != true:
-                wrong.append((i, str(found.verdict), found.witness, *what))
-    return tally, wrong
+
+    def entry(names, assumes):
+        return {"kind": "zero set", "formulas": names, "assumes": list(assumes)}
+
+    return judged(TURNING, changed(), entry, step)
 
 
 if __name__ == "__main__":
-    tallied, failed = campaign()
-    for (which, verdict), n in sorted(tallied.items()):
-        print(f"{which}: {verdict} {n}")
-    for each in failed:
-        print(*each)
-    sys.exit(bool(failed))
+    sys.exit(told(*campaign()))

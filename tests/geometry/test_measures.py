@@ -29,14 +29,14 @@ HALF = Nurbs(2, [0, 0, 0, 1, 1, 2, 2, 3, 3, 3], [(1, 0), (1, 1), (0, 1), (-1, 1)
 @pytest.mark.parametrize("family", campaign.FAMILIES)
 @pytest.mark.parametrize("dial", ALWAYS)
 def test_a_part_of_the_campaign(family, dial):
-    result = campaign.run(20 if FULL else 1, 7, family, dial)
-    assert not result["differences"]
-    assert any(name.endswith("right") for name in result["counts"])
+    found = [campaign.differs(family, dial, seed) for seed in range(7, 27 if FULL else 8)]
+    assert {*found} <= {"", campaign.UNJUDGED, campaign.OPEN}
+    assert "" in found or family == "arcs"
 
 
 def test_the_campaign_notices_a_false_answer(monkeypatch):
     monkeypatch.setattr(campaign, "speed", lambda point, velocity: abs(velocity[0]))
-    assert campaign.run(4, 7, "splines", "small integers")["differences"]
+    assert any("length" in campaign.differs("splines", "small integers", seed) for seed in range(7, 10))
 
 
 def test_a_circle_is_decided():

@@ -27,11 +27,9 @@ def answers(curve, question, folder):
     return re.sub(r'"digest": "\w+"', "", done.stdout)
 
 
-@pytest.mark.parametrize("question", QUESTIONS)
 @pytest.mark.parametrize(
-    ("points", "weights"),
-    [(POINTS, (1, 2, 1, 3)), (IN_SPACE, (1, 1, 1, 1))],
-    ids=["plane rational", "space polynomial"],
+    ("points", "weights", "question"),
+    [(POINTS, (1, 2, 1, 3), question) for question in QUESTIONS] + [(IN_SPACE, (1,) * 4, QUESTIONS[0])],
 )
 def test_weights_multiplied_by_minus_one_change_no_answer(points, weights, question, tmp_path):
     """Before: refused with “weights that stay positive: a smaller epsilon”, which no epsilon helped."""

@@ -86,7 +86,8 @@ def test_the_inflection_of_a_symmetric_cubic_and_a_corner():
 def test_what_every_change_destroys_has_no_radius():
     flat = xs.Nurbs(4, [0] * 5 + [1] * 5, [(mpq(k, 4), y) for k, y in enumerate((1, -1, 1, -1, 1))])
     assert all(f.kind != "undulation" for f in stability(flat))
-    assert {f.radius for f in stability(xs.example("ellipse"))} == {0}  # at double knots, where κ may jump
+    half = xs.example("ellipse").restrict(0, 2)
+    assert {f.radius for f in stability(half)} == {0}  # at double knots, where κ may jump
 
 
 def test_questions_and_errors():

@@ -88,12 +88,11 @@ def test_a_file_beyond_the_limits_is_refused_before_anything_is_built(data, monk
     assert not built
 
 
-def long_file(tmp_path):
+@pytest.fixture(scope="module")
+def long_file():
     """One that takes more than a second."""
     curve = Nurbs(3, [0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4], [(i, i * i % 5) for i in range(7)], name="c")
-    path = tmp_path / "long.dxf"
-    path.write_bytes(encoded([curve] * 6000, "dxf")[0])
-    return path
+    return encoded([curve] * 6000, "dxf")[0]
 
 
 @pytest.mark.parametrize(("command", "shown"), [
@@ -101,8 +100,8 @@ def long_file(tmp_path):
     (["convert", "long.dxf", "out.json", "--only", "nothing"], True),
     (["inspect", "long.dxf:nowhere", "--quiet"], False),
 ])  # fmt: skip
-def test_reading_is_shown_on_a_terminal(tmp_path, command, shown):
-    long_file(tmp_path)
+def test_reading_is_shown_on_a_terminal(tmp_path, command, shown, long_file):
+    (tmp_path / "long.dxf").write_bytes(long_file)
     ours, theirs = pty.openpty()
     done = subprocess.Popen(
         [sys.executable, "-m", "exactspline", *command], stdout=subprocess.DEVNULL, stderr=theirs, cwd=tmp_path,
@@ -121,8 +120,8 @@ def test_reading_is_shown_on_a_terminal(tmp_path, command, shown):
     assert b"error" in told
 
 
-def test_nothing_is_shown_in_a_pipe(tmp_path):
-    long_file(tmp_path)
+def test_nothing_is_shown_in_a_pipe(tmp_path, long_file):
+    (tmp_path / "long.dxf").write_bytes(long_file)
     done = subprocess.run(
         [sys.executable, "-m", "exactspline", "inspect", "long.dxf:nowhere"], capture_output=True, cwd=tmp_path,
         check=False,

@@ -104,13 +104,13 @@ def test_time_by_the_clock_is_not_called_processor_time(monkeypatch):
     pytest.param(b"<a>" * 300_000, id="gismo"),
     pytest.param(b"<svg><path d='" + b"M0 0" + b"L1e300 1e-300" * 1_000 + b"'/></svg>", id="svg"),
     pytest.param(b"<svg><path d='" + b"M" * 300_000 + b"'/></svg>", id="svg"),
-    pytest.param(b"<svg><path transform='" + b"scale(1e300)" * 20_000 + b"' d='M0 0L1 1'/></svg>", id="svg"),
+    pytest.param(b"<svg><path transform='" + b"scale(1e300)" * 6_000 + b"' d='M0 0L1 1'/></svg>", id="svg"),
     pytest.param(b"130 1 0 0\n" * 30_000, id="g2"),
     pytest.param(b"100 1 0 0 3 0 999999999 4", id="g2"),
     pytest.param(b"100 1 0 0 3 0 2000000 2000000" + b" 0" * 100_000, id="g2"),
     pytest.param(b"Curves 999999999\n" + b"8 0 1\n" * 20_000, id="brep"),
     pytest.param(b"Curves 1\n7 0 1 900000 3 4 0 0 1 1 1 1 1 1 1 0 900001 1 1 2 1 3 900001", id="brep"),
-    pytest.param(b"0\nSECTION\n2\nENTITIES\n" + b"0\nSPLINE\n" * 20_000, id="dxf"),
+    pytest.param(b"0\nSECTION\n2\nENTITIES\n" + b"0\nSPLINE\n" * 6_000, id="dxf"),
 ])  # fmt: skip
 def test_what_is_built_to_exhaust_ends_soon_in_little_memory(data, request):
     tracemalloc.start()
@@ -142,7 +142,7 @@ def test_changed_files_and_kept_ones(name):
     if name in ("font", "glif"):
         pytest.importorskip("fontTools")
     # every archive is read by a process of its own
-    failures, read_well, longest = fuzz(name, 8 if name == "3dm" else 250, seed=0, keep=False)
+    failures, read_well, longest = fuzz(name, 6 if name == "3dm" else 250, seed=0, keep=False)
     assert failures == 0
     # an archive has check sums: a changed one is seldom read, and a machine that is busy may end the reading of any
     assert read_well > 7 or name == "3dm"

@@ -132,7 +132,7 @@ def test_every_public_name(name, tmp_path, monkeypatch):
     function = PUBLIC[name]
     # to draw takes long
     calls = sample(
-        list(handed(function)), 40 if name in ("plot", *plots.__all__, *pictures3d.__all__) else 100, seed=name
+        list(handed(function)), 16 if name in ("plot", *plots.__all__, *pictures3d.__all__) else 100, seed=name
     )
     wrong = [error for _, arguments in calls if (error := raised(name, function, arguments)) is not None]
     assert not wrong

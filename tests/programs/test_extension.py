@@ -164,7 +164,7 @@ SANITIZED = ("-fsanitize=address,undefined", "-fno-sanitize-recover=undefined", 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer is loaded before Python as on Linux")
 @in_a_checkout
-@pytest.mark.parametrize("campaign_of", ["filter 150", "certain_pairs 300"])
+@pytest.mark.parametrize("campaign_of", ["filter 60", "certain_pairs 110"])
 def test_no_memory_but_its_own_is_touched(tmp_path, campaign_of, builder):
     library = tmp_path / "filter.lib"
     if not builder.compiled(library, *SANITIZED):

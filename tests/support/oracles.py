@@ -66,6 +66,25 @@ def derivative_values(knots, n, points, t, side="right"):
     return values
 
 
+def jet(knots, n, rows, t, order, side="right"):
+    """The value and the derivatives up to an order at t of a spline of rows of numbers, by differences of its control
+    points and de Boor's algorithm.
+    """
+    j, found = span(knots, n, t, side), []
+    points = {i: rows[i] for i in range(j - n, j + 1)}
+    for m in range(n, n - order - 1, -1):
+        if m < 0:
+            found.append([mpq(0)] * len(rows[0]))
+            continue
+        columns = [{i: p[k] for i, p in points.items()} for k in range(len(rows[0]))]
+        found.append([polar(knots, m, column, j, [t] * m) for column in columns])
+        points = {
+            i: [m * (b - a) / (knots[i + m] - knots[i]) for a, b in zip(points[i - 1], points[i], strict=True)]
+            for i in range(j - m + 1, j + 1)
+        }
+    return found
+
+
 def product_knots(f, g):
     """The knots of a product (Mørken): a knot of multiplicity m of one factor gets m plus the degree of the other;
     clamped ends.
