@@ -16,15 +16,13 @@ from exactspline.programs.accelerator import surrounds
 
 #: A degree, and the integers of the forms x, y, w.
 Segment = tuple[int, Sequence[Sequence[int]]]
-#: As in filter.c: the highest degree of a segment, the numbers of a common point, and the room for all those of a pair.
-HIGHEST, OF_POINT = 5, 6
-OF_PAIR = c_double * (OF_POINT * HIGHEST**2)
+#: As in filter.c: the highest degree of a segment, the numbers of a common point, and the room for those of a pair.
+HIGHEST, OF_POINT = 12, 6
+OF_PAIR = c_double * (OF_POINT * 36)
 #: The numbers of two parameters.
 OF_PARAMETERS = c_double * 8
 #: A box without ends.
 EVERYWHERE = (-float_info.max, float_info.max) * 2
-#: A segment about which nothing is certain.
-OPEN = (0, *EVERYWHERE, *[0] * (2 + 3 * (HIGHEST + 1)))
 #: Two segments whose common points are known.
 ARCH: Segment = (2, [(0, 2, 2), (0, 8, 0), (1, 2, 1)])
 LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
@@ -32,7 +30,8 @@ LINE: Segment = (1, [(0, 6), (3, 3), (2, 2)])
 
 #: A transversal common point of two segments, inside both: the ends of intervals of its parameters; the sign before the
 #: zero of Bézout's determinant, and its number among all zeros. The zero, the only one in its interval, belongs to the
-#: segment of higher degree (the second one for equal degrees).
+#: segment of higher degree (the second one for equal degrees). A point that was found without the determinant has the
+#: number −1.
 PairPoint = Sequence[float]
 
 
@@ -76,11 +75,9 @@ def _meets(function: Callable[..., int]) -> bool:
 
 def _closes(function: Callable[..., int]) -> bool:
     """Whether the common point of the line and the parabola at s = 1/6 and t = 1/4 is found to twice the precision."""
-    table, near = (
-        precise_table_of([LINE, ARCH], [mpq(0), mpq(1), mpq(2)]),
-        OF_PARAMETERS(1 / 6 - 2**-40, 1 / 6 + 2**-39, 1 / 4 - 2**-40, 1 / 4 + 2**-39),
-    )
-    return function(table, 0, table, 1, near) == 1 and all(
+    tables = [precise_table_of([segment], [mpq(k), mpq(k + 1)]) for k, segment in enumerate((LINE, ARCH))]
+    near = OF_PARAMETERS(1 / 6 - 2**-40, 1 / 6 + 2**-39, 1 / 4 - 2**-40, 1 / 4 + 2**-39)
+    return function(tables[0], 0, tables[1], 0, near) == 1 and all(
         abs(Fraction(near[k]) + Fraction(near[k + 1]) - Fraction(1, below)) <= near[k + 2] < 2**-80
         and near[k + 3] == k // 4 + 1 / below
         for k, below in ((0, 6), (4, 4))
@@ -88,35 +85,35 @@ def _closes(function: Callable[..., int]) -> bool:
 
 
 def table_of(segments: Sequence[Segment]) -> bytes:
-    """The numbers of segments for C."""
+    """The numbers of segments, all of one degree, for C."""
     return array("d", [x for segment in segments for x in segment_in_doubles(*segment)]).tobytes()
 
 
 def precise_table_of(segments: Sequence[Segment], ends: Sequence[mpq]) -> bytes:
-    """The numbers of segments between these ends for C to twice the precision: the degree, and each coefficient as a
-    double near it and the difference from it; doubles near both ends, and the differences from them; zeros if a number
-    is too large.
+    """The numbers of segments, all of one degree, between these ends for C to twice the precision: the degree, and each
+    coefficient as a double near it and the difference from it; doubles near both ends, and the differences from them; a
+    zero if a number is too large.
     """
     numbers: list[float] = []
     try:
         for (n, forms), *side in zip(segments, ends[:-1], ends[1:], strict=True):
             numbers.append(n)
             for form in forms:
-                numbers += [x for c in (*form, *[0] * (HIGHEST - n)) for x in (c, c - int(float(c)))]
+                numbers += [x for c in form for x in (c, c - int(float(c)))]
             numbers += [*map(float, side), *(float(x - mpq(float(x))) for x in side)]
         return array("d", numbers).tobytes()
     except OverflowError:
-        return bytes(8 * len(segments) * (5 + 6 * (HIGHEST + 1)))
+        return bytes(8)
 
 
 def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float]:
     """The degree of a segment, a box around it, the middle of its control points in doubles, and the coefficients of
-    its forms relative to this middle, each rounded once.
+    its forms relative to this middle, each rounded once: zeros where nothing is certain, and no degree but 0 if C does
+    not take segments of this degree.
     """
     if not 0 < n <= HIGHEST or len(forms) != 3:
-        return OPEN
+        return (0,)
     *coordinates, weights = forms
-    spare = [0] * (HIGHEST - n)
     try:
         points = [[c / w for c, w in zip(x, weights, strict=True)] for x in coordinates]
         ends = [(min(x), max(x)) for x in points]
@@ -125,10 +122,9 @@ def segment_in_doubles(n: int, forms: Sequence[Sequence[int]]) -> Sequence[float
         for x, at in zip(coordinates, middle, strict=True):
             p, q = at.as_integer_ratio()
             row += [(c * q - w * p) / q for c, w in zip(x, weights, strict=True)]
-            row += spare
-        return [*row, *map(float, weights), *spare]
+        return [*row, *map(float, weights)]
     except (OverflowError, ZeroDivisionError):
-        return OPEN
+        return (n, *EVERYWHERE, *[0] * (2 + 3 * (n + 1)))
 
 
 #: The functions of the extension; None without the extension.

@@ -1,7 +1,8 @@
 /* The certified filter in doubles with error masses. For one curve: a straight-line program on every segment, then the
    zeros of its outputs; the program is data (see accelerator.py). For two curves: the simple zeros of the determinant of
-   Bézout's matrix (see exactspline/polynomials/bezout.py) and the parameters that belong to them. What is not certain is
-   said to be open and decided in exact arithmetic. Derivation: docs/certified-filter.md. At the end: points of a curve, in
+   Bézout's matrix (see exactspline/polynomials/bezout.py) and the parameters that belong to them; for higher degrees, and
+   where that is not certain, the pieces of both that meet. What is not certain is said to be open and decided in exact
+   arithmetic. Derivation: docs/certified-filter.md. At the end: points of a curve, in
    exact integers. */
 
 #include <float.h>
@@ -730,11 +731,11 @@ int filter_doubles(const Program *program, const double *data, const double *res
 
 /* ---- two curves */
 
-/* The highest degree of a segment; the numbers of one: its degree, a box around it, a point near it, and the coefficients
-   of x, y and w measured from this point; and those of a common point. */
-enum { HIGHEST = 5, SIDE = HIGHEST + 1, BOX = 1, MIDDLE = 5, ROWS = 7, OF_SEGMENT = ROWS + 3 * SIDE, OF_POINT = 6 };
-/* The sets of columns of a matrix, and the coefficients of its determinant. */
-enum { COLUMNS = 1 << HIGHEST, LONG = HIGHEST * HIGHEST + 1 };
+/* The highest degree of a segment; the numbers of one: its degree, a box around it, a point near it, and then the
+   coefficients of x, y and w measured from this point; those of a common point, and how many there are at most. */
+enum { HIGHEST = 12, SIDE = HIGHEST + 1, BOX = 1, MIDDLE = 5, ROWS = 7, OF_POINT = 6, POINTS_OF_PAIR = 36 };
+/* The highest degree of segments whose determinant is computed; the sets of columns of its matrix, and its coefficients. */
+enum { ELIMINATED = 5, COLUMNS = 1 << ELIMINATED, LONG = ELIMINATED * ELIMINATED + 1 };
 
 /* The coefficients of a form in the scaled basis, each with its mass. */
 typedef struct {
@@ -750,7 +751,7 @@ typedef struct {
 /* A matrix of forms in the parameter of the second curve; the roundings of its entries. */
 typedef struct {
     int size, degree, roundings;
-    Bare entry[HIGHEST][HIGHEST];
+    Bare entry[ELIMINATED][ELIMINATED];
 } Matrix;
 
 /* The room of an elimination, which is not on the stack: the matrix, and its minors. */
@@ -758,6 +759,12 @@ typedef struct {
     Matrix matrix;
     Bare minors[COLUMNS];
 } Room;
+
+/* How many numbers a segment of a table has, all of whose segments are of one degree: 0 where this is not from 1 to
+   `HIGHEST`. */
+static int numbers_of_each(const double *table, int before, int coefficient) {
+    return table[0] >= 1 && table[0] <= HIGHEST ? before + 3 * coefficient * ((int)table[0] + 1) : 0;
+}
 
 /* Whether the boxes of two segments, whose ends are rounded once, certainly have no point in common. */
 static int apart(const double *a, const double *b) {
@@ -777,24 +784,22 @@ static int brought_together(const double *first, const double *second, Points *p
     double unit[2], shift[2], far = 0;
     for (int c = 0; c < 2; c++)
         shift[c] = second[MIDDLE + c] - first[MIDDLE + c];
-    /* a maximum does not notice what is not a number */
-    for (int i = 0; i < OF_SEGMENT; i++)
-        if (!(fabs(first[i]) <= DBL_MAX && fabs(second[i]) <= DBL_MAX))
-            return 0;
     for (int k = 0; k < 2; k++) {
         double weight = 0, size = 0;
-        int e, n = (int)given[k][0];
-        if (n < 1 || n > HIGHEST)
-            return 0;
+        int e, n = (int)given[k][0], side = n + 1;
+        /* a maximum does not notice what is not a number */
+        for (int i = BOX; i < ROWS + 3 * side; i++)
+            if (!(fabs(given[k][i]) <= DBL_MAX))
+                return 0;
         for (int i = 0; i <= n; i++)
-            weight = fmax(weight, fabs(given[k][ROWS + 2 * SIDE + i]));
+            weight = fmax(weight, fabs(given[k][ROWS + 2 * side + i]));
         if (!(weight < BIG && weight > SMALL))
             return 0;
         frexp(weight, &e);
         unit[k] = ldexp(1, -e);
         for (int i = 0; i <= n; i++)
             for (int c = 0; c < 2; c++)
-                size = fmax(size, fabs(given[k][ROWS + c * SIDE + i]) * unit[k]);
+                size = fmax(size, fabs(given[k][ROWS + c * side + i]) * unit[k]);
         far = fmax(far, k ? size + fmax(fabs(shift[0]), fabs(shift[1])) : size);
     }
     if (!(far < BIG && far > SMALL))
@@ -803,13 +808,14 @@ static int brought_together(const double *first, const double *second, Points *p
     frexp(far, &e);
     double scale = ldexp(1, -e);
     for (int k = 0; k < 2; k++) {
-        to[k]->degree = (int)given[k][0];
-        for (int i = 0; i <= to[k]->degree; i++) {
-            double w = given[k][ROWS + 2 * SIDE + i] * unit[k];
+        int side = (int)given[k][0] + 1;
+        to[k]->degree = side - 1;
+        for (int i = 0; i < side; i++) {
+            double w = given[k][ROWS + 2 * side + i] * unit[k];
             to[k]->value[2][i] = w;
             to[k]->mass[2][i] = fabs(w);
             for (int c = 0; c < 2; c++) {
-                double x = given[k][ROWS + c * SIDE + i] * unit[k] * scale, moved = k ? shift[c] * scale * w : 0;
+                double x = given[k][ROWS + c * side + i] * unit[k] * scale, moved = k ? shift[c] * scale * w : 0;
                 to[k]->value[c][i] = x + moved;
                 to[k]->mass[c][i] = fabs(x) + fabs(moved);
             }
@@ -917,7 +923,7 @@ static void eliminated(const Points *p, const Points *q, Room *own, Form *vanish
     const Matrix *matrix = &own->matrix;
     Bare *minors = own->minors;
     bezout(p, q, &own->matrix);
-    int m = p->degree, n = q->degree, roundings[SIDE];
+    int m = p->degree, n = q->degree, roundings[ELIMINATED + 1];
     if (m == 1) {
         /* with the line l of p₀ and p₁: (l × p₀)·Q and (p₁ × l)·Q */
         double a[3], b[3], line[3], across[3], a_mass[3], b_mass[3], mass[3], across_mass[3];
@@ -963,7 +969,7 @@ static void divided(Matrix *matrix, int columns) {
 static void eliminated_itself(const Points *p, const Points *q, Room *own, Form *vanishing, Form *top, Form *bottom) {
     Matrix *matrix = &own->matrix;
     Bare *minors = own->minors;
-    int m = p->degree, all = (1 << (m - 1)) - 1, roundings[SIDE];
+    int m = p->degree, all = (1 << (m - 1)) - 1, roundings[ELIMINATED + 1];
     bezout(p, q, matrix);
     divided(matrix, 1);
     divided(matrix, 0);
@@ -1044,32 +1050,392 @@ static int met(const Points *p, const Points *q, Room *own, int reversed, int ex
     return inside < 0 ? -2 : count;
 }
 
-/* The common points of a segment of the first table and one of the second; without a second table of two segments of the
-   first, and for a segment and itself the points through which it passes twice.
-
-   first, second: `OF_SEGMENT` numbers for each segment: the degree (others than 1 to `HIGHEST` are left open), the ends of
-   a box in x and in y, a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
-   point, each rounded once.
-   found: for every common point, of which there are at most `HIGHEST`², the ends of intervals of both parameters; that of
-   the segment of higher degree (of the second, where they are alike) is a zero of the determinant: the sign before it, and
-   its number among all zeros.
-
-   Returns the number of common points, -1 where something is not certain. */
-int filter_pair(const double *first, int i, const double *second, int j, double *found) {
-    const double *one = first + i * OF_SEGMENT, *other = (second ? second : first) + j * OF_SEGMENT;
+/* `met` by the determinant of two segments; -1 where something is not certain. */
+static int by_determinant(const double *one, const double *other, int itself, double *found) {
     int exchanged = one[0] > other[0], known = -2;
     Points p, q;
-    if (apart(one, other))
-        return 0;
     Room *own = malloc(sizeof *own);
     if (own && brought_together(exchanged ? other : one, exchanged ? one : other, &p, &q))
-        known = met(&p, &q, own, 0, exchanged, !second && i == j, found);
+        known = met(&p, &q, own, 0, exchanged, itself, found);
     if (known == -1) {
         turned_round(&p);
         known = met(&p, &q, own, 1, exchanged, 0, found);
     }
     free(own);
     return known < 0 ? -1 : known;
+}
+
+/* ---- two curves by their pieces */
+
+/* How often a segment is halved, how many pairs of pieces are compared, and how often a step of Newton's method is taken. */
+enum { HALVINGS = 20, COMPARED = 300, NEWTON = 8 };
+/* The error of a parameter of a piece on its segment; a distance from an end of the segment at which no point is certain;
+   half the widths of the intervals of a common point. */
+static const double PLACED = 0x1p-44, AT_END = 0x1p-40, HALVES[] = {0x1p-42, 0x1p-36, 0x1p-28, 0x1p-18};
+
+/* A piece of a segment, which is halved `level` times: where it begins there, and how long it is; the Bézier ordinates of x,
+   y and w, and bounds of the error of each; its control points, a bound of the error of all, the largest size, and the ends
+   of a box. */
+typedef struct {
+    int degree, level;
+    double low, width, row[3][SIDE], error[3], point[2][SIDE], off[2], size[2], least[2], most[2];
+} Piece;
+
+/* The pieces that are being compared, and what is found. */
+typedef struct {
+    Piece pieces[2 * HALVINGS + 4][2];
+    int compared, count;
+    double *found;
+} Search;
+
+/* Find the control points of a piece: 0 where a weight is not certainly positive. */
+static int located(Piece *p) {
+    double weight = p->row[2][0];
+    for (int i = 1; i <= p->degree; i++)
+        weight = fmin(weight, p->row[2][i]);
+    double least = (weight - p->error[2]) * (1 - 4 * ROUNDING);
+    if (!(least > weight / 2))
+        return 0;
+    for (int c = 0; c < 2; c++) {
+        double low = DBL_MAX, high = -DBL_MAX;
+        for (int i = 0; i <= p->degree; i++) {
+            double x = p->point[c][i] = p->row[c][i] / p->row[2][i];
+            low = fmin(low, x);
+            high = fmax(high, x);
+        }
+        double size = p->size[c] = fmax(-low, high);
+        double off = p->off[c] = (p->error[c] + size * p->error[2]) / least * (1 + 16 * ROUNDING) + 2 * ROUNDING * size + TINY;
+        p->least[c] = low - (off + 2 * ROUNDING * size);
+        p->most[c] = high + (off + 2 * ROUNDING * size);
+    }
+    return 1;
+}
+
+/* The whole of a segment whose coefficients went through so many roundings. */
+static int whole(const Points *given, int roundings, Piece *p) {
+    int n = p->degree = given->degree;
+    double scale[SIDE], sign = given->value[2][0] < 0 ? -1 : 1;
+    binomials(scale, n);
+    p->level = 0;
+    p->low = 0;
+    p->width = 1;
+    for (int c = 0; c < 3; c++) {
+        p->error[c] = 0;
+        for (int i = 0; i <= n; i++) {
+            double x = p->row[c][i] = sign * given->value[c][i] / scale[i];
+            double error = (given->mass[c][i] * (SLACK * roundings * ROUNDING) + LOST) / scale[i] * (1 + 8 * ROUNDING);
+            p->error[c] = fmax(p->error[c], error + 2 * ROUNDING * fabs(x) + UNDERFLOW);
+        }
+    }
+    return located(p);
+}
+
+/* The parts of a piece to the left and right of a parameter of its own, without their control points. */
+static void divided_at(const Piece *p, double at, Piece *left, Piece *right) {
+    int n = p->degree;
+    double u = 1 - at;
+    left->degree = right->degree = n;
+    left->level = right->level = p->level + 1;
+    left->low = p->low;
+    left->width = p->width * at;
+    right->low = p->low + left->width;
+    right->width = p->width * u;
+    for (int c = 0; c < 3; c++) {
+        double row[SIDE], size = 0;
+        for (int i = 0; i <= n; i++)
+            size = fmax(size, fabs(row[i] = p->row[c][i]));
+        for (int level = 0; level <= n; level++) {
+            left->row[c][level] = row[0];
+            right->row[c][n - level] = row[n - level];
+            for (int i = 0; i < n - level; i++)
+                row[i] = u * row[i] + at * row[i + 1];
+        }
+        left->error[c] = right->error[c] = (p->error[c] + 4 * n * ROUNDING * size) * (1 + 4 * ROUNDING) + TINY;
+    }
+}
+
+/* Both halves of a piece: 0 where they are not certain. */
+static int halved(const Piece *p, Piece *left, Piece *right) {
+    divided_at(p, SPLIT, left, right);
+    return p->level < HALVINGS && located(left) && located(right);
+}
+
+/* The part of a piece between two parameters of its own. */
+static int part(const Piece *p, double from, double to, Piece *own) {
+    Piece rest, other;
+    divided_at(p, to, &rest, &other);
+    divided_at(&rest, from / to, &other, own);
+    return located(own);
+}
+
+/* A vector from the first control point of a piece to the last, and one at right angles to it. */
+static void chord_of(const Piece *p, double *chord, double *normal) {
+    for (int c = 0; c < 2; c++)
+        chord[c] = p->point[c][p->degree] - p->point[c][0];
+    normal[0] = -chord[1];
+    normal[1] = chord[0];
+}
+
+/* The values of a linear form at the control points from the k-th to the l-th: the least and the largest, certainly. */
+static void values_of(const double *form, const Piece *p, int k, int l, double *ends) {
+    double low = DBL_MAX, high = -DBL_MAX, error = TINY;
+    for (int i = k; i <= l; i++) {
+        double x = form[0] * p->point[0][i] + form[1] * p->point[1][i];
+        low = fmin(low, x);
+        high = fmax(high, x);
+    }
+    for (int c = 0; c < 2; c++)
+        error += fabs(form[c]) * (p->off[c] + 8 * ROUNDING * p->size[c]) * (1 + 8 * ROUNDING);
+    ends[0] = low - error;
+    ends[1] = high + error;
+}
+
+/* Whether two pieces certainly have no common point: boxes, or strips along their chords, are apart. */
+static int separated(const Piece *p, const Piece *q) {
+    for (int c = 0; c < 2; c++)
+        if (p->least[c] > q->most[c] || q->least[c] > p->most[c])
+            return 1;
+    for (int k = 0; k < 2; k++) {
+        double chord[2], normal[2], one[2], other[2];
+        chord_of(k ? q : p, chord, normal);
+        values_of(normal, p, 0, p->degree, one);
+        values_of(normal, q, 0, q->degree, other);
+        if (one[0] > other[1] || other[0] > one[1])
+            return 1;
+    }
+    return 0;
+}
+
+/* The vectors from each control point of a piece to the next, their largest sizes, and a bound of their errors. */
+static void legs_of(const Piece *p, double (*leg)[SIDE], double *size, double *off) {
+    for (int c = 0; c < 2; c++) {
+        size[c] = 0;
+        for (int i = 0; i < p->degree; i++)
+            size[c] = fmax(size[c], fabs(leg[c][i] = p->point[c][i + 1] - p->point[c][i]));
+        off[c] = 2 * p->off[c] + 2 * ROUNDING * size[c] + UNDERFLOW;
+    }
+}
+
+/* Whether all legs of one piece certainly are on one side of all legs of the other: then the pieces have at most one common
+   point, where their tangents differ. */
+static int transversal(const Piece *p, const Piece *q) {
+    double one[2][SIDE], other[2][SIDE], size[2], sizes[2], off[2], offs[2], error = TINY;
+    int side = 0;
+    legs_of(p, one, size, off);
+    legs_of(q, other, sizes, offs);
+    for (int c = 0; c < 2; c++)
+        error += size[c] * offs[1 - c] + off[c] * (sizes[1 - c] + offs[1 - c]) + 4 * ROUNDING * size[c] * sizes[1 - c];
+    error *= 1 + 16 * ROUNDING;
+    for (int i = 0; i < p->degree; i++)
+        for (int j = 0; j < q->degree; j++) {
+            double cross = one[0][i] * other[1][j] - one[1][i] * other[0][j];
+            int own = cross > error ? 1 : cross < -error ? -1 : 0;
+            if (!own || (side && own != side))
+                return 0;
+            side = own;
+        }
+    return 1;
+}
+
+/* Whether one piece certainly passes through the strip along the chord of the other from one side to the other. */
+static int passes(const Piece *p, const Piece *q) {
+    double chord[2], normal[2], strip[2], from[2], to[2];
+    chord_of(q, chord, normal);
+    values_of(normal, q, 0, q->degree, strip);
+    values_of(normal, p, 0, 0, from);
+    values_of(normal, p, p->degree, p->degree, to);
+    return (from[1] < strip[0] && strip[1] < to[0]) || (to[1] < strip[0] && strip[1] < from[0]);
+}
+
+/* A point of a piece and the derivative there, without a proof. */
+static void point_and_slope(const Piece *p, double t, double *point, double *slope) {
+    double value[3], by[3], u = 1 - t;
+    for (int c = 0; c < 3; c++) {
+        double row[SIDE];
+        memcpy(row, p->row[c], sizeof row);
+        for (int level = p->degree; level > 1; level--)
+            for (int i = 0; i < level; i++)
+                row[i] = u * row[i] + t * row[i + 1];
+        value[c] = u * row[0] + t * row[1];
+        by[c] = p->degree * (row[1] - row[0]);
+    }
+    for (int c = 0; c < 2; c++) {
+        point[c] = value[c] / value[2];
+        slope[c] = (by[c] - point[c] * by[2]) / value[2];
+    }
+}
+
+/* The parameters at which two transversal pieces nearly meet, by Newton's method: 0 where it leaves them far behind. */
+static int nearly_met(const Piece *p, const Piece *q, double *at) {
+    at[0] = at[1] = 0.5;
+    for (int step = 0; step < NEWTON; step++) {
+        double a[2], b[2], by[2], to[2];
+        point_and_slope(p, at[0], a, by);
+        point_and_slope(q, at[1], b, to);
+        double x = b[0] - a[0], y = b[1] - a[1], det = by[0] * to[1] - by[1] * to[0];
+        double one = (x * to[1] - y * to[0]) / det, other = (x * by[1] - y * by[0]) / det;
+        at[0] += one;
+        at[1] += other;
+        if (!(fabs(at[0] - 0.5) < 1 && fabs(at[1] - 0.5) < 1))
+            return 0;
+        if (fmax(fabs(one), fabs(other)) < 0x1p-30)
+            break;
+    }
+    return 1;
+}
+
+/* The common point of two transversal pieces, in intervals of both parameters: 1 if it is certain, -1 if it never will be,
+   0 otherwise. */
+static int enclosed(const Piece *p, const Piece *q, Search *own) {
+    const Piece *given[2] = {p, q};
+    double at[2], ends[2][2];
+    Piece parts[2];
+    if (!nearly_met(p, q, at))
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        double t = given[k]->low + given[k]->width * at[k];
+        if (fabs(t) < AT_END || fabs(1 - t) < AT_END)
+            return -1;
+    }
+    for (int h = 0; h < (int)(sizeof HALVES / sizeof *HALVES); h++) {
+        int inside = 1;
+        for (int k = 0; k < 2; k++) {
+            double half = HALVES[h] / given[k]->width, spare = 2 * PLACED / given[k]->width;
+            ends[k][0] = at[k] - half;
+            ends[k][1] = at[k] + half;
+            inside &= ends[k][0] > spare && ends[k][1] < 1 - spare;
+        }
+        if (!inside)
+            return 0;
+        for (int k = 0; k < 2; k++)
+            inside &= part(given[k], ends[k][0], ends[k][1], parts + k);
+        if (!inside || !passes(parts, parts + 1) || !passes(parts + 1, parts))
+            continue;
+        if (own->count == POINTS_OF_PAIR)
+            return -1;
+        double *here = own->found + OF_POINT * own->count++;
+        for (int k = 0; k < 2; k++) {
+            here[2 * k] = fmax(0, given[k]->low + given[k]->width * ends[k][0] - PLACED);
+            here[2 * k + 1] = fmin(1, given[k]->low + given[k]->width * ends[k][1] + PLACED);
+        }
+        here[4] = 0;
+        here[5] = -1;
+        return 1;
+    }
+    return 0;
+}
+
+/* Find the common points of two pieces: 0 where they are not certain. */
+static int searched(const Piece *p, const Piece *q, int level, Search *own) {
+    Piece *left = own->pieces[level], *right = left + 1;
+    if (separated(p, q))
+        return 1;
+    if (++own->compared > COMPARED)
+        return 0;
+    int known = transversal(p, q) ? enclosed(p, q, own) : 0;
+    if (known)
+        return known > 0;
+    double size = fmax(p->most[0] - p->least[0], p->most[1] - p->least[1]);
+    if (size >= fmax(q->most[0] - q->least[0], q->most[1] - q->least[1]))
+        return halved(p, left, right) && searched(left, q, level + 1, own) && searched(right, q, level + 1, own);
+    return halved(q, left, right) && searched(p, left, level + 1, own) && searched(p, right, level + 1, own);
+}
+
+/* Whether a piece, or one and the next, certainly runs on in one direction, so that it does not meet itself. */
+static int runs_on(const Piece *p, const Piece *next) {
+    const Piece *given[2] = {p, next};
+    double legs[2][2][SIDE], size[2][2], off[2][2], direction[2], normal[2], more[2];
+    chord_of(p, direction, normal);
+    if (next) {
+        chord_of(next, more, normal);
+        direction[0] += more[0];
+        direction[1] += more[1];
+    }
+    for (int k = 0; k < (next ? 2 : 1); k++) {
+        double error = TINY;
+        legs_of(given[k], legs[k], size[k], off[k]);
+        for (int c = 0; c < 2; c++)
+            error += fabs(direction[c]) * (off[k][c] + 4 * ROUNDING * size[k][c]) * (1 + 8 * ROUNDING);
+        for (int i = 0; i < given[k]->degree; i++)
+            if (!(direction[0] * legs[k][0][i] + direction[1] * legs[k][1][i] > error))
+                return 0;
+    }
+    return 1;
+}
+
+/* Find the points that a piece and the next have in common beside the end of the first: 0 where they are not certain. */
+static int next_to(const Piece *p, const Piece *next, int level, Search *own) {
+    Piece *left = own->pieces[level], *right = own->pieces[level + 1];
+    if (runs_on(p, next))
+        return 1;
+    return ++own->compared <= COMPARED && halved(p, left, left + 1) && halved(next, right, right + 1) &&
+           searched(left, next, level + 2, own) && searched(left + 1, right + 1, level + 2, own) &&
+           next_to(left + 1, right, level + 2, own);
+}
+
+/* Find the points through which a piece passes twice: 0 where they are not certain. */
+static int met_itself(const Piece *p, int level, Search *own) {
+    Piece *left = own->pieces[level], *right = left + 1;
+    if (runs_on(p, NULL))
+        return 1;
+    return ++own->compared <= COMPARED && halved(p, left, right) && met_itself(left, level + 1, own) &&
+           met_itself(right, level + 1, own) && next_to(left, right, level + 1, own);
+}
+
+/* Whether two segments may have an end in common, where no point is certain. */
+static int ends_may_meet(const Piece *p, const Piece *q) {
+    for (int i = 0; i <= p->degree; i += p->degree)
+        for (int j = 0; j <= q->degree; j += q->degree) {
+            int near = 1;
+            for (int c = 0; c < 2; c++)
+                near &= fabs(p->point[c][i] - q->point[c][j]) <= 2 * (p->off[c] + q->off[c]);
+            if (near)
+                return 1;
+        }
+    return 0;
+}
+
+/* The common points of two segments by their pieces; -1 where something is not certain. */
+static int by_pieces(const double *one, const double *other, int itself, double *found) {
+    Points p, q;
+    Piece first, second;
+    int known = 0;
+    if (!brought_together(one, other, &p, &q) || !whole(&p, 1, &first) || !whole(&q, 4, &second) ||
+        (!itself && ends_may_meet(&first, &second)))
+        return -1;
+    Search *own = malloc(sizeof *own);
+    if (own) {
+        own->compared = own->count = 0;
+        own->found = found;
+        known = itself ? met_itself(&first, 0, own) : searched(&first, &second, 0, own);
+        known = known ? own->count : -1;
+    }
+    free(own);
+    return own ? known : -1;
+}
+
+/* The common points of a segment of the first table and one of the second; without a second table of two segments of the
+   first, and for a segment and itself the points through which it passes twice.
+
+   first, second: for each segment, all of one degree, the degree (others than 1 to `HIGHEST` are left open), the ends of a
+   box in x and in y, a point near the segment, and the coefficients of x, y and w in the scaled basis measured from this
+   point, each rounded once.
+   found: for every common point, of which there are at most `POINTS_OF_PAIR`, the ends of intervals of both parameters;
+   that of the segment of higher degree (of the second, where they are alike) is a zero of the determinant: the sign before
+   it, and its number among all zeros; 0 and -1 where the point was found without the determinant.
+
+   Returns the number of common points, -1 where something is not certain. */
+int filter_pair(const double *first, int i, const double *second, int j, double *found) {
+    const double *table = second ? second : first;
+    int size = numbers_of_each(first, ROWS, 1), other_size = numbers_of_each(table, ROWS, 1), known = -1;
+    const double *one = first + i * size, *other = table + j * other_size;
+    if (!size || !other_size)
+        return -1;
+    if (apart(one, other))
+        return 0;
+    if (one[0] <= ELIMINATED && other[0] <= ELIMINATED)
+        known = by_determinant(one, other, !second && i == j, found);
+    return known < 0 ? by_pieces(one, other, !second && i == j, found) : known;
 }
 
 /* ---- the parameters of a common point to twice the precision */
@@ -1080,11 +1446,12 @@ typedef struct {
     Twice value[3][SIDE];
 } Precise;
 
-/* The numbers of a segment for `filter_closer`, without those of its ends and with them; how often a step of Newton's method is taken. */
-enum { OF_PRECISE = 1 + 2 * 3 * SIDE, WITH_ENDS = OF_PRECISE + 4, CLOSER = 6 };
-/* Bounds of the roundings of an equation, of those of its derivatives and of their inverse, and of second derivatives; the
-   length of a step after which no other is needed. */
-static const double OF_EQUATION = 0x1p-96, OF_DERIVATIVES = 0x1p-41, CURVED = 768, CLOSE = 0x1p-50;
+/* The numbers of the ends of a segment for `filter_closer`, which are its last; how often a step of Newton's method is
+   taken. */
+enum { OF_ENDS = 4, CLOSER = 6 };
+/* Bounds of the roundings of an equation, and of those of its derivatives and of their inverse; the length of a step after
+   which no other is needed, and how far from a point second derivatives are bounded. */
+static const double OF_EQUATION = 0x1p-95, OF_DERIVATIVES = 0x1p-39, CLOSE = 0x1p-50, NEARBY = 0x1p-11;
 
 /* A coordinate at a parameter, and its derivative in doubles. */
 static Twice coordinate(const Precise *p, int c, double t, double *slope) {
@@ -1118,9 +1485,10 @@ static void equations(const Precise *p, const double *at, double *value, double 
 
 /* The largest size of a coefficient of a coordinate. */
 static double size_of(const double *segment, int c) {
+    int side = (int)segment[0] + 1;
     double size = 0;
-    for (int i = 0; i < 2 * SIDE; i++)
-        size = fmax(size, fabs(segment[1 + 2 * c * SIDE + i]));
+    for (int i = 0; i < 2 * side; i++)
+        size = fmax(size, fabs(segment[1 + 2 * c * side + i]));
     return size;
 }
 
@@ -1131,11 +1499,11 @@ static int made_alike(const double *const given[2], Precise *to) {
     double unit[2], far = 0;
     int e;
     for (int k = 0; k < 2; k++) {
-        for (int i = 0; i < OF_PRECISE; i++)
+        for (int i = 0; i < 1 + 6 * ((int)given[k][0] + 1); i++)
             if (!(fabs(given[k][i]) < BIG))
                 return 0;
         double weight = size_of(given[k], 2);
-        if (given[k][0] < 1 || given[k][0] > HIGHEST || weight < 1)
+        if (weight < 1)
             return 0;
         frexp(weight, &e);
         unit[k] = ldexp(1, -e);
@@ -1148,7 +1516,7 @@ static int made_alike(const double *const given[2], Precise *to) {
         to[k].degree = (int)given[k][0];
         for (int c = 0; c < 3; c++)
             for (int i = 0; i <= to[k].degree; i++) {
-                const double *number = given[k] + 1 + 2 * (c * SIDE + i);
+                const double *number = given[k] + 1 + 2 * (c * (to[k].degree + 1) + i);
                 double scale = c < 2 ? ldexp(unit[k], -e) : unit[k];
                 to[k].value[c][i] = (Twice){number[0] * scale, number[1] * scale};
             }
@@ -1158,7 +1526,7 @@ static int made_alike(const double *const given[2], Precise *to) {
 
 /* The parameters of a common point of a segment of the first table and one of the second.
 
-   first, second: `WITH_ENDS` numbers for each segment: the degree, and the coefficients of x, y and w in the scaled basis,
+   first, second: for each segment, all of one degree, the degree, and the coefficients of x, y and w in the scaled basis,
    integers, each as a double near it and the difference from it, rounded once; doubles near the ends of the segment, and the
    differences from these.
    box: the ends of the intervals of both parameters, in which there is one common point. They are replaced: for each
@@ -1167,11 +1535,13 @@ static int made_alike(const double *const given[2], Precise *to) {
 
    Returns 1 if it is proved again that there is a common point in the box, and where it is; 0 otherwise. */
 int filter_closer(const double *first, int i, const double *second, int j, double *box) {
-    const double *given[2] = {first + i * WITH_ENDS, second + j * WITH_ENDS};
+    int size = numbers_of_each(first, 1 + OF_ENDS, 2), other_size = numbers_of_each(second, 1 + OF_ENDS, 2);
+    const double *given[2] = {first + i * size, second + j * other_size};
     double at[2] = {(box[0] + box[1]) / 2, (box[2] + box[3]) / 2}, value[2], by[2][2], move[2], norm, all;
     Precise p[2];
-    if (!to_nearest() || !made_alike(given, p))
+    if (!size || !other_size || !to_nearest() || !made_alike(given, p))
         return 0;
+    double degree = fmax(p[0].degree, p[1].degree);
     for (int step = 1;; step++) {
         equations(p, at, value, by);
         double det = by[0][0] * by[1][1] - by[0][1] * by[1][0];
@@ -1188,13 +1558,13 @@ int filter_closer(const double *first, int i, const double *second, int j, doubl
         for (int k = 0; k < 2; k++)
             at[k] = fmax(box[2 * k], fmin(box[2 * k + 1], at[k] + move[k]));
     }
-    double contraction = norm * (CURVED * 4 * (all + norm * OF_EQUATION) + OF_DERIVATIVES);
+    double around = 4 * (all + norm * OF_EQUATION), contraction = norm * (32 * degree * degree * around + OF_DERIVATIVES);
     double error = 2 * SLACK * (contraction * all + norm * OF_EQUATION + 4 * ROUNDING * all);
-    int inside = contraction < 0.25;
+    int inside = contraction < 0.25 && around < NEARBY;
     for (int k = 0; k < 2; k++)
         inside &= fmin((at[k] - box[2 * k]) + move[k], (box[2 * k + 1] - at[k]) - move[k]) > 2 * error + CLOSE * CLOSE;
     for (int k = 0; k < 2 && inside; k++) {
-        const double *ends = given[k] + OF_PRECISE;
+        const double *ends = given[k] + (k ? other_size : size) - OF_ENDS;
         double known[4] = {at[k], move[k], error, nearest_over(ends, ends + 2, (Near){sum_of(at[k], move[k]), error})};
         memcpy(box + 4 * k, known, sizeof known);
     }

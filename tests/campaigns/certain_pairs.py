@@ -16,7 +16,7 @@ from random import Random
 
 from exactspline.geometry.pairs.lazy_intersections import PairForm
 from exactspline.numbers.exact import mpq
-from exactspline.numbers.intervals import Interval
+from exactspline.numbers.intervals import UNIT
 from exactspline.polynomials.plane_pairs import meetings
 from exactspline.polynomials.zero_places import sign_at
 from exactspline.programs.certain_pairs import certain_pair, closer, points_of, precise_table_of, table_of
@@ -26,7 +26,6 @@ from tests.campaigns import intersections as pairs
 
 #: Digits to which the exact parameters are compared.
 DIGITS = 40
-UNIT = Interval(mpq(0), mpq(1))
 
 
 def cubics(chance):
@@ -34,15 +33,26 @@ def cubics(chance):
     return [[(*(Fraction(chance.uniform(-1, 1)) for _ in range(2)), Fraction(1)) for _ in range(4)] for _ in range(2)]
 
 
-def of_some_degrees(chance):
+def of_some_degrees(chance, highest=5):
     """Degrees from 1 to 5, of integers, with weights, of either sign at times."""
     found = []
     for _ in range(2):
         w = chance.choice([1, 1, -1]) * Fraction(1, chance.choice([1, 3]))
-        weights = [w * chance.choice([1, 1, chance.randint(1, 5)]) for _ in range(chance.randint(2, 6))]
+        weights = [w * chance.choice([1, 1, chance.randint(1, 5)]) for _ in range(chance.randint(2, highest + 1))]
         size = chance.choice([3, 20, 10**6])
         found.append([(*(chance.randint(-size, size) * u for _ in range(2)), u) for u in weights])
     return found
+
+
+def of_high_degrees(chance):
+    """Degrees up to 10."""
+    return of_some_degrees(chance, 10)
+
+
+def of_large_weights(chance):
+    """Degrees up to 8, of doubles, with weights from 10⁻³ to 10³."""
+    weights = [[Fraction(10 ** chance.uniform(-3, 3)) for _ in range(chance.randint(2, 9))] for _ in range(2)]
+    return [[(*(w * Fraction(chance.uniform(-1, 1)) for _ in range(2)), w) for w in own] for own in weights]
 
 
 def far_away(chance):
@@ -77,10 +87,31 @@ def known(family):
     return made
 
 
+def raised(family):
+    """The two curves of another family in higher degrees."""
+
+    def made(chance):
+        return [higher(rows, chance.randint(1, 5)) for rows in family(chance)[:2]]
+
+    made.__name__ = f"raised_{family.__name__}"
+    return made
+
+
+def higher(rows, times):
+    """A curve in a higher degree."""
+    for _ in range(times):
+        n = len(rows)
+        pairs_of = zip([(0, 0, 0), *rows], [*rows, (0, 0, 0)], range(n + 1), strict=True)
+        rows = [tuple((k * x + (n - k) * y) / n for x, y in zip(a, b, strict=True)) for a, b, k in pairs_of]
+    return rows
+
+
 #: With the share of pairs that must be decided, per mille.
 FAMILIES = {
     cubics: 999,
     of_some_degrees: 900,
+    of_high_degrees: 900,
+    of_large_weights: 900,
     far_away: 930,
     moved_together: 100,
     known(pairs.tangent): 0,
@@ -90,6 +121,11 @@ FAMILIES = {
     known(pairs.circles): 700,
     known(pairs.through_a_node): 0,
     known(pairs.overlapping): 0,
+    raised(moved_together): 0,
+    raised(pairs.tangent): 0,
+    raised(pairs.nearly_touching): 0,
+    raised(pairs.of_no_kind): 0,
+    raised(pairs.through_a_node): 0,
 }
 #: What chance alone may leave of a few pairs.
 FEW = 5
@@ -109,26 +145,26 @@ def differing(rows, decide=certain_pair):
         return 0, f"{found} where {true} is right"
     form = PairForm(*given)
     of_degree = 0 if form.exchanged else 1
-    points = [[point.first, point.second] for point in true.points]
-    numbers = [[parameter(local, UNIT, UNIT) for local in point] for point in points]
-    order = sorted(range(len(found)), key=lambda k: numbers[k][of_degree])
-    precise, other = (precise_table_of([segment], UNIT) for segment in given)
-    for one, k in zip(found, order, strict=True):
-        if true.points[k].multiplicity != 1:
+    numbers = [[parameter(local, *UNIT) for local in (point.first, point.second)] for point in true.points]
+    rest, (precise, other) = list(range(len(found))), (precise_table_of([segment], UNIT[0]) for segment in given)
+    for one in found:
+        inside = [k for k in rest if all(map(is_inside, numbers[k], (one[:2], one[2:4])))]
+        if len(inside) != 1:
+            return 0, f"{[numbers[k] for k in inside]} are in {one}"
+        rest.remove(inside[0])
+        if true.points[inside[0]].multiplicity != 1:
             return 0, f"{one} is not simple"
         near = closer(precise, 0, other, 0, one[:4])
-        for real, (low, high), own in zip(numbers[k], (one[:2], one[2:4]), (near[:4], near[4:]), strict=True):
+        for real, interval, own in zip(numbers[inside[0]], (one[:2], one[2:4]), (near[:4], near[4:]), strict=True):
             a, b = real.enclosure(DIGITS)
-            if not (low <= a and b <= high and 0 <= low <= high <= 1 and a > 0 and b < 1):
-                return 0, f"{real} is not in [{low!r}, {high!r}]"
             if own and not abs((a + b) / 2 - mpq(own[0]) - mpq(own[1])) <= mpq(own[2]) + (b - a):
                 return 0, f"{real} is not {own}"
-            if (
-                not isnan(double := InDoubles((low, high), own, UNIT).nearest(UNIT, "nearest"))
-                and double != real.double()
-            ):
+            double = InDoubles(interval, own, UNIT[0]).nearest(UNIT[0], "nearest")
+            if not isnan(double) and double != real.double():
                 return 0, f"{double} is not the double nearest to {real}"
         (low, high), (before, number) = one[2 * of_degree :][:2], one[4:]
+        if number < 0:
+            continue
         if sign_at(form.form.polynomial, mpq(low)) != before:
             return 0, f"the sign before {one}"
         if sign_at(form.form.polynomial, mpq(high)) != -before:
@@ -137,6 +173,12 @@ def differing(rows, decide=certain_pair):
         if not (exact.low < high and low < exact.high):
             return 0, f"{one} is another zero"
     return len(found), ""
+
+
+def is_inside(real, interval):
+    """Whether a parameter is in an interval, and inside its segment."""
+    (a, b), (low, high) = real.enclosure(DIGITS), interval
+    return low <= a and b <= high and 0 <= low <= high <= 1 and a > 0 and b < 1
 
 
 def campaign(count, seed, decide=certain_pair):
