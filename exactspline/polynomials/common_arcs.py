@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cmp_to_key
 from itertools import pairwise
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 from flint import arb, arb_poly, ctx, fmpq_poly, fmpz_poly
 
@@ -75,8 +75,6 @@ class Image:
 
     place: Place
     by: Mapping
-    #: The parameter as it is known in doubles, if it is.
-    local: Any = None
 
     @property
     def map(self) -> RationalMap:

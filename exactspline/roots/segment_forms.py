@@ -4,7 +4,7 @@ numbers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import comb, isnan, nan
 from typing import cast
 
@@ -18,7 +18,7 @@ from exactspline.polynomials.bezout import PlaneForms
 from exactspline.polynomials.common_arcs import Image, Local, RationalMap
 from exactspline.polynomials.zero_places import Place
 from exactspline.reals.real import UNASKED, RationalNumber, Real
-from exactspline.roots.root import LazyRoot, Root, root_inside
+from exactspline.roots.root import InDoubles, LazyRoot, Root, root_inside
 from exactspline.roots.values import ValueAt
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import Mesh
@@ -90,7 +90,8 @@ def plane_forms(curve: Nurbs, i: int) -> PlaneForms:
 
 class ImageValue(ValueAt):
     """The value of a map between segments at an irrational parameter. The numerator and the denominator are computed
-    only if enclosures do not decide a question.
+    only if enclosures do not decide a question; if the value is `known` in doubles, the image may be given by a
+    function that is called if they do not decide one.
 
     >>> from exactspline.polynomials.isolation import isolate
     >>> place = Place(isolate(fmpz_poly([1, 0, -2]), 2).inner[0])  # z = √(1/2)
@@ -100,14 +101,23 @@ class ImageValue(ValueAt):
     (<Real 2 - √2>, [2, -4, 1])
     """
 
-    __slots__ = ("_image", "_place", "_sides", "_splines")
-    _image: Image
+    __slots__ = ("_given_image", "_known", "_place", "_sides", "_splines")
+    _given_image: Image | Callable[[], Image]
+    _known: InDoubles | None
     _sides: tuple[Interval, Interval]
     _splines: tuple[BSpline, BSpline] | None
     _place: Real | None
 
-    def __init__(self, image: Image, side: Interval, other: Interval) -> None:
-        fill(self, _image=image, _sides=(side, other), _splines=None, _place=None, **UNASKED)
+    def __init__(
+        self, image: Image | Callable[[], Image], side: Interval, other: Interval, known: InDoubles | None = None
+    ) -> None:
+        fill(self, _given_image=image, _known=known, _sides=(side, other), _splines=None, _place=None, **UNASKED)
+
+    @property
+    def _image(self) -> Image:
+        if not isinstance(self._given_image, Image):
+            fill(self, _given_image=self._given_image())
+        return cast(Image, self._given_image)
 
     @property
     def place(self) -> Real:  # type: ignore[override]  # computed when it is needed
@@ -136,14 +146,14 @@ class ImageValue(ValueAt):
 
     def double(self, rounding: str = Rounding.NEAREST) -> float:
         """The correctly rounded double; this is faster for a common point that was found in doubles."""
-        known = self._image.local.nearest(self._sides[0], rounding) if self._image.local else nan
+        known = self._known.nearest(self._sides[0], rounding) if self._known else nan
         return super().double(rounding) if isnan(known) else known
 
     def _enclosed(self, digits: int) -> Interval:
         """An enclosure by balls around the entries of the adjugate."""
         side, digits = self._sides[0], max(digits, 0)
         bits, limit = digits * 10 // 3 + GUARD, mpq(1, 10**digits)
-        if self._image.local and (known := self._image.local.part(int(side.width / limit + 1).bit_length())):
+        if self._known and (known := self._known.part(int(side.width / limit + 1).bit_length())):
             return side.part(known)
         while True:
             with ctx.workprec(3 * bits):

@@ -15,6 +15,7 @@ from exactspline.polynomials.isolation import isolate
 from exactspline.polynomials.zero_places import Place, at
 from exactspline.roots.root import InDoubles
 from exactspline.roots.segment_forms import (
+    ImageValue,
     image_of,
     image_splines,
     parameter,
@@ -43,7 +44,7 @@ def test_a_value_of_a_map_is_the_number_it_is(low, high, other):
     ):
         expected = side.low + side.width * local
         for known in (None, InDoubles((0.0, 1.0))):
-            found = parameter(Image(half(), carried, known), side, Interval(*map(mpq, other)))
+            found = ImageValue(Image(half(), carried), side, Interval(*map(mpq, other)), known)
             for digits in (0, 3, 25, 120):
                 a, b = found.enclosure(digits)
                 assert b - a <= mpq(1, 10**digits)
@@ -60,9 +61,9 @@ def test_what_is_known_of_a_value_is_used_where_it_suffices():
     given = InDoubles((0.585, 0.587))
     known = Interval(given.low, given.high)
     narrow, wide = Interval(mpq(3), mpq(31, 10)), Interval(mpq(-10), mpq(0))
-    assert parameter(Image(half(), carried, given), narrow, UNIT.first).enclosure(3) == narrow.part(known)
+    assert ImageValue(Image(half(), carried), narrow, UNIT.first, given).enclosure(3) == narrow.part(known)
     for digits in (1, 2):
-        enclosure = parameter(Image(half(), carried, given), wide, UNIT.first).enclosure(digits)
+        enclosure = ImageValue(Image(half(), carried), wide, UNIT.first, given).enclosure(digits)
         assert enclosure.width <= mpq(1, 10**digits)
         assert (enclosure == wide.part(known)) == (digits == 1)
 

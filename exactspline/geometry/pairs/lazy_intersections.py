@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
-from flint import arb, fmpz_poly
+from flint import fmpz_poly
 
 from exactspline.numbers.intervals import UNIT, Interval
 from exactspline.numbers.once import cached_property
 from exactspline.polynomials.bezout import PlaneForms
-from exactspline.polynomials.common_arcs import Image, Meeting, RationalMap
+from exactspline.polynomials.common_arcs import Image, Local, Meeting
 from exactspline.polynomials.isolation import LocalPolynomial, LocalZero
 from exactspline.polynomials.plane_pairs import (
     IDENTITY,
@@ -73,78 +74,32 @@ class PairForm:
         one, other = (PlaneForms(n, *forms) for n, forms in map(forms_of, (self.first, self.second)))
         return (self_meetings(one) if self.first == self.second else meetings(one, other)).points
 
-    @property
-    def map(self) -> RationalMap:
-        """The eliminated parameter as a function of the other parameter."""
-        return self.elimination.map
-
-    def near(self, place: Place, bits: int) -> arb | None:
-        """A ball around the value of the map."""
-        return self.elimination.near(place, bits)
-
     def parameters(
         self, found: PairPoint, near: Sequence[float], first: Interval, second: Interval
     ) -> tuple[Real, Real]:
         """The parameters of a common point of the segments over two intervals; `near` are its numbers for
         `InDoubles`.
         """
+        known = InDoubles(found[:2], near[:4], first), InDoubles(found[2:4], near[4:], second)
         if found[5] < 0:
-            point = BoxedPoint(self, (InDoubles(found[:2], near[:4], first), InDoubles(found[2:4], near[4:], second)))
-            return ImageValue(LateImage(point, 0), first, second), ImageValue(LateImage(point, 1), second, first)
-        one, other, sides = (found[:2], near[:4]), (found[2:4], near[4:]), (first, second)
-        if not self.exchanged:
-            one, other, sides = other, one, (second, first)
-        zero = LazyRoot(self, int(found[5]), int(found[4]), *one, sides[0])
-        root = root_inside(zero, sides[0])
-        image = ImageValue(Image(Place(zero), self, InDoubles(*other, sides[1])), sides[1], sides[0])
+            one, other = (partial(self._image_in, known, k) for k in (0, 1))
+            return ImageValue(one, first, second, known[0]), ImageValue(other, second, first, known[1])
+        k, sides = 0 if self.exchanged else 1, (first, second)
+        zero = LazyRoot(self, int(found[5]), int(found[4]), known[k].interval, known[k].near, sides[k])
+        root = root_inside(zero, sides[k])
+        image = ImageValue(lambda: Image(Place(zero), self.elimination), sides[1 - k], sides[k], known[1 - k])
         return (root, image) if self.exchanged else (image, root)
 
-
-@dataclass
-class BoxedPoint:
-    """A common point that was found without the determinant, the only one in a box of doubles."""
-
-    pair: PairForm
-    box: tuple[InDoubles, InDoubles]
-
-    @cached_property
-    def exactly(self) -> tuple[Image, Image]:
-        """Both parameters in exact arithmetic."""
-        found, digits = self.pair.points, FEW
+    def _image_in(self, box: Sequence[InDoubles], k: int) -> Image:
+        """A parameter of the only common point in a box, by exact arithmetic."""
+        found, digits = [(point.first, point.second) for point in self.points], FEW
         while len(found) > 1:
-            found, digits = [point for point in found if self._may_be(point, digits)], 2 * digits
+            found = [point for point in found if all(map(partial(_may_be_in, digits), box, point))]
+            digits *= 2
         (point,) = found
-        one, other = (x if isinstance(x, Image) else Image(x, IDENTITY) for x in (point.first, point.second))
-        return one, other
-
-    def _may_be(self, point: Meeting, digits: int) -> bool:
-        """Whether enclosures with this many digits leave a common point in the box."""
-        places = (parameter(local, *UNIT).enclosure(digits) for local in (point.first, point.second))
-        return all(place.meets(Interval(own.low, own.high)) for place, own in zip(places, self.box, strict=True))
+        return local if isinstance(local := point[k], Image) else Image(local, IDENTITY)
 
 
-@dataclass
-class LateImage:
-    """A parameter of such a point, with the attributes of an `Image`."""
-
-    point: BoxedPoint
-    k: int
-
-    @property
-    def local(self) -> InDoubles:
-        """The parameter as it is known in doubles."""
-        return self.point.box[self.k]
-
-    @property
-    def place(self) -> Place:
-        """The place of which it is the image."""
-        return self.point.exactly[self.k].place
-
-    @property
-    def map(self) -> RationalMap:
-        """The map."""
-        return self.point.exactly[self.k].map
-
-    def z(self, bits: int) -> arb | None:
-        """A ball around ``z = s/(1 − s)``, as for an `Image`."""
-        return self.point.exactly[self.k].z(bits)
+def _may_be_in(digits: int, known: InDoubles, local: Local) -> bool:
+    """Whether an enclosure with this many digits leaves a parameter in an interval."""
+    return parameter(local, *UNIT).enclosure(digits).meets(Interval(known.low, known.high))
