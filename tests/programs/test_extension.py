@@ -28,7 +28,7 @@ from exactspline.geometry.curves.plane_programs import CRITICAL, CURVATURE, plan
 from exactspline.geometry.filter.certain import certain
 from exactspline.numbers import extension
 from exactspline.programs import accelerator
-from exactspline.programs.certain_pairs import ARCH, LINE, OPEN, certain_pair, segment_in_doubles, table_of
+from exactspline.programs.certain_pairs import ARCH, LINE, certain_pair, segment_in_doubles, table_of
 from tests.campaigns import filter as campaign
 from tests.support.rounding import FLUSHED, MODES, rounding
 
@@ -308,7 +308,7 @@ def test_what_is_not_a_number_is_not_made_small():
     program = accelerator._in_c(plane_program(3, False))
     data, found = array("d", [0, 1, 2, 3] * 2 + [0]), array("d", bytes(8 * 99))
     assert accelerator.filter_curve(byref(program), data.buffer_info()[0], 1, found.buffer_info()[0], 8) == -1
-    for k in range(len(OPEN)):
+    for k in range(len(segment_in_doubles(*ARCH))):
         ours = array("d", segment_in_doubles(*ARCH))
         ours[k] = float("nan")
         assert certain_pair(ours.tobytes(), 0, table_of([LINE]), 0) is None

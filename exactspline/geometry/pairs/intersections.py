@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cache, partial
-from itertools import pairwise, starmap
+from itertools import pairwise
 from math import comb
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -304,9 +304,8 @@ class CollectedPoints:
         prepared = [segments_of(curve) for curve in self.curves[: 2 - alone]]
         self.segments = [own.rows for own in prepared]
         #: The common points inside two segments.
-        self.inner: list[tuple[tuple[int, int], Meeting]] = []
+        self.inner: list[_Found] = []
         self.at_knots: dict[tuple[object, object], list[list[_Found]]] = {}
-        self.by_chord: list[_Found] = []
         self.arcs: list[Overlap] = []
         self.undecided: list[str] = []
         #: The cone around the legs of a segment.
@@ -375,19 +374,13 @@ class CollectedPoints:
                 knots = [own[k + (x == side.high)] if x in side[:] else None for x, side, k, own in at]
                 found.append(_Found((i, j), place, (knots[0], knots[1]), multiplicity(zero, chord[0], chord[1])))
         for point in found:
-            if point.knots == (None, None):
-                self.by_chord.append(point)
-            else:
-                self._put(point)
+            self._put(point)
 
     def _add(self, found: Meetings, i: int, j: int) -> None:
         sides = _side(self.curves[0], i), _side(self.curves[1], j)
         for point in found.points:
             knots = self._knot(0, i, point.first), self._knot(1, j, point.second)
-            if knots == (None, None):
-                self.inner.append(((i, j), point))
-            else:
-                self._put(_Found((i, j), _parameters(point, *sides), knots, point.multiplicity))
+            self._put(_Found((i, j), _parameters(point, *sides), knots, point.multiplicity))
         for arc in found.arcs:
             self.arcs.append(_overlap(arc, *sides))
         for rest in found.rests:
@@ -429,6 +422,9 @@ class CollectedPoints:
 
     def _put(self, point: _Found) -> None:
         s, t = point.knots
+        if s is None and t is None:
+            self.inner.append(point)
+            return
         if self.alone:
             if s == t:
                 return
@@ -450,20 +446,12 @@ class CollectedPoints:
             for groups in self.at_knots.values()
             for group in groups
             if not self._ends_an_arc(group[0])
-        ] + [self._at_knot([point]) for point in self.by_chord]
-        exact = [*at_knots, *starmap(self._inside, self.inner)]
+        ]
+        exact = at_knots + [self._at_knot([point]) for point in self.inner]
         count = len(exact) + sum(len(found) for _, found in self.certain) // OF_POINT
         make = partial(_in_order, exact, self.given, self.curves, self.certain)
         curves = None if self.alone else self.given
         return Intersections.late(count, make, tuple(self.arcs), undecided=tuple(self.undecided), curves=curves)
-
-    def _inside(self, pair: tuple[int, int], point: Meeting) -> Intersection:
-        times = point.multiplicity
-        parameters = _parameters(point, *(_side(self.curves[k], i) for k, i in enumerate(pair)))
-        if self.in_space:
-            return Intersection(*parameters, IntersectionKind.SPACE, None, self.given)
-        kind = IntersectionKind.CROSSING if times is not None and times % 2 else IntersectionKind.TOUCHING
-        return Intersection(*parameters, kind, times, self.given)
 
     def _ends_an_arc(self, point: _Found) -> bool:
         place = tuple(self._at(k, point) for k in (0, 1))
@@ -490,7 +478,7 @@ class CollectedPoints:
 
     def _kind(self, group: list[_Found]) -> IntersectionKind:
         knots = group[0].knots
-        if knots == (None, None):
+        if knots == (None, None) and not self.in_space:
             return IntersectionKind.CROSSING if (group[0].multiplicity or 0) % 2 else IntersectionKind.TOUCHING
         for curve, knot in zip(self.curves, knots, strict=True):
             if knot in (0, curve.segments) and not curve.closed:
@@ -541,8 +529,7 @@ def _in_order(
     for (i, j), found in certain:
         forms, sides = PairForm(one.rows[i], other.rows[j]), (_side(curves[0], i), _side(curves[1], j))
         for point in points_of(found):
-            near = closer(one.precise, i, other.precise, j, point[:4])
-            parameters = forms.parameters(point, near, *sides)
+            parameters = forms.parameters(point, closer(one.precise, i, other.precise, j, point[:4]), *sides)
             places.append((i, point, Intersection(*parameters, IntersectionKind.CROSSING, 1, given)))
     ordered = sorted(places, key=itemgetter(0, 1))
     if exact or any(i == j and one[1] >= other[0] for (i, one, _), (j, other, _) in pairwise(ordered)):
