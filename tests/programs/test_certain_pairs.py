@@ -128,11 +128,11 @@ def test_numbers_of_any_size_are_decided_rightly(size):
 
 @needs_extension
 @pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("degree", range(2, HIGHEST + 1))
+@pytest.mark.parametrize("degree", [2, 3, 4, 5, 6, 8, HIGHEST])
 def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
     """Coordinates from few integers, where cusps and ends lie on the curve, to many; both parameters, in order."""
-    chance, decided = Random(degree), 0
-    for k in range(120):
+    chance, decided, count = Random(degree), 0, 120 if degree < 6 else 12
+    for k in range(count):
         size = (2, 9, 100, 10**6)[k % 4]
         points = [(chance.randint(-size, size), chance.randint(-size, size)) for _ in range(degree + 1)]
         curve = Nurbs.bezier(points, [chance.randint(1, 9) for _ in points] if k % 8 > 3 else None)
@@ -151,7 +151,7 @@ def test_a_segment_meets_itself_where_exact_arithmetic_says(degree, mode):
         for (t, s), one in zip(numbers, found, strict=True):
             low, high, first, last = map(mpq, (*one[2:4], *one[:2]))
             assert first < s < last < low < t < high
-    assert decided > 60
+    assert decided > count // 2
 
 
 @needs_extension
@@ -199,7 +199,7 @@ def test_without_the_extension_the_answers_are_the_same():
     code = (
         "from random import Random; from exactspline import intersections; "
         "from tests.campaigns import certain_pairs as c, intersections as p; r = Random(4); "
-        "told = [intersections(*map(p.curve, f(r))) for f in c.FAMILIES for _ in range(12)]; "
+        "told = [intersections(*map(p.curve, f(r))) for f in c.FAMILIES for _ in range(8)]; "
         "told += [intersections(*map(p.curve, f(r)[:2])) for f in p.FAMILIES.values() for _ in range(6)]; "
         "print([(t, [x.point for x in t]) for t in told]); print(c.certain_pair.__globals__['filter_pair'] is None)"
     )
