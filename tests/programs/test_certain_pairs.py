@@ -241,8 +241,8 @@ def test_coefficients_are_rounded_once():
             exact = [float(int(c) - int(w) * Fraction(at)) for c, w in zip(forms[k], forms[2], strict=True)]
             assert blocks[k] == exact
         assert blocks[2] == [float(w) for w in forms[2]]
-    line, n = [(0, 3), (1, 1), (1, 1)], HIGHEST + 1
-    for n, forms in ((0, [(1,)] * 3), (n, [(1,) * (n + 1)] * 3), (1, [*line, (1, 1)])):
+    line, above = [(0, 3), (1, 1), (1, 1)], HIGHEST + 1
+    for n, forms in ((0, [(1,)] * 3), (above, [(1,) * (above + 1)] * 3), (1, [*line, (1, 1)])):
         assert segment_in_doubles(n, forms) == (0,)
     for forms in ([(0, 3), (1, 1), (1, 0)], [(0, 10**400), (1, 1), (1, 1)]):
         assert segment_in_doubles(1, forms) == (1, *EVERYWHERE, *[0] * 8)
