@@ -4,10 +4,13 @@ torsion.
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from importlib.resources import files
 from itertools import pairwise, zip_longest
 from math import lcm
+from string import Template
 
 from flint import fmpq_poly
 
@@ -88,40 +91,27 @@ def theorem_of(curve: Nurbs) -> str:
     forms = answers(curve)
     formulas = Formulas(papers())
     own = {formulas.owner[answer.formula].name for answer in forms}
-    parts = [
-        f"(** Where forms of the curve {comment(curve.name or 'without a name')} vanish: proved from its knots and "
-        "control points.\n\n    Written by [exactspline inspect --emit-coq]; do not edit. It is compiled after the "
-        "files that\n    [exactspline coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
-        "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers.",
-        *[f"From ExactSpline.formulas Require {name}." for name in sorted(own)],
-        "Import ListNotations.\nLocal Open Scope Q_scope.\n",
-        _definition("this_curve", curve),
-        "(** The domain of the curve, on which the theorems speak of it. *)\n"
-        f"Theorem this_curve_has_the_domain : domain this_curve = ({', '.join(map(_number_in_q, curve.domain))}).\n"
-        "Proof. vm_cast_no_check (eq_refl (domain this_curve)). Qed.\n",
-        "Lemma this_curve_sound : sound this_curve = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\n",
-        "(** Numerators and denominator between two knots are the B-splines by the recursion of Cox and de Boor. *)\n"
-        "Theorem this_curve_is_in_pieces (j : nat) (t : R) :\n"
-        "  (S j < length (knots this_curve))%nat ->\n"
-        "  (knot (knots this_curve) j <= t < knot (knots this_curve) (S j))%R ->\n"
-        "  Forall2 (fun x a => spline (knots this_curve) (degree this_curve) x t = at_real a t)\n"
-        "          (coordinates this_curve) (p (curve_piece this_curve j)) /\\\n"
-        "  spline (knots this_curve) (degree this_curve) (weights this_curve) t\n"
-        "  = at_real (w (curve_piece this_curve j)) t.\n"
-        "Proof. exact (pieces_are_splines this_curve j t this_curve_sound). Qed.\n",
-        *[_theorem(curve, answer, formulas) for answer in forms],
-    ]
-    return "\n".join(parts)
+    return _written(
+        "curve",
+        title=comment(curve.name or "without a name"),
+        required="\n".join(f"From ExactSpline.formulas Require {name}." for name in sorted(own)),
+        definition=_definition("this_curve", curve),
+        domain=", ".join(map(_number_in_q, curve.domain)),
+        theorems="\n".join(_theorem(curve, answer, formulas) for answer in forms),
+    )
+
+
+def _written(text: str, /, **parts: object) -> str:
+    """A text of ``answers.toml`` with what was computed."""
+    texts = tomllib.loads(files(__package__).joinpath("answers.toml").read_text(encoding="utf-8"))
+    return Template(texts[text]).substitute(parts)
 
 
 def _definition(name: str, curve: Nurbs) -> str:
     """A curve as a record of Coq."""
     *coordinates, weights = map(_list, _homogeneous_columns(curve))
-    return (
-        "(** Knots, degree, coordinates of the control points times their weights, and the weights. *)\n"
-        f"Definition {name} : nurbs := {{|\n  knots := {_list(curve.knots)};\n  degree := {curve.degree};\n"
-        f"  coordinates := [{'; '.join(coordinates)}];\n  weights := {weights}\n|}}.\n"
-    )
+    own = {"coordinates": "; ".join(coordinates), "weights": weights}
+    return _written("record", name=name, knots=_list(curve.knots), degree=curve.degree, **own)
 
 
 def _homogeneous_columns(curve: Nurbs) -> list[list[mpq]]:
@@ -141,21 +131,9 @@ def _theorem(curve: Nurbs, answer: _Answer, formulas: Formulas) -> str:
     points, stretches = _pairs_text(answer.points), _pairs_text(answer.stretches)
     places = counted(len(answer.points), "point")
     places += f" and {counted(len(answer.stretches), 'stretch')}" if answer.stretches else ""
-    return (
-        f"Definition {answer.name}_in_pieces : pieces := [\n  {pieces}\n].\n\n"
-        f"Definition cells_of_{answer.name} : list (list cell) := [\n  {cells}\n].\n\n"
-        f"(** The form with which {answer.what} vanishes is zero at exactly {places}; and its signs. *)\n"
-        f"Theorem {answer.name}_vanishes :\n"
-        f"  vanishes_exactly (form_value (form_pieces {form} this_curve)) ({low}) ({high})\n"
-        f"    {points}\n    {stretches} /\\\n"
-        f"  Forall2 (fun b own => Forall (says (at_real (snd b))) own)\n"
-        f"    (form_pieces {form} this_curve) cells_of_{answer.name}.\n"
-        "Proof.\n"
-        f"  apply (curve_answers {form} this_curve _ _ cells_of_{answer.name} _ _\n"
-        f"    {answer.name}_in_pieces); [vm_cast_no_check (eq_refl true)|].\n"
-        f"  vm_cast_no_check (eq_refl (true, ({high})%Q,\n"
-        f"    ({points} : list (Q * Q))%Q, ({stretches} : list (Q * Q))%Q)).\n"
-        "Qed.\n"
+    numbers = {"points": points, "stretches": stretches, "low": low, "high": high}
+    return _written(
+        "form", name=answer.name, what=answer.what, form=form, cells=cells, pieces=pieces, places=places, **numbers
     )
 
 
@@ -260,25 +238,18 @@ def meeting_theorem(first: Nurbs, second: Nurbs) -> str:
     listed = "; ".join(f"({_interval(s)}, {_interval(t)})" for s, t in boxes)
     ends = " ".join(f"({_number_in_q(t)})" for c in (first, second) for t in c.domain)
     named = ", ".join(comment(c.name or "a curve") for c in (first, second))
-    return "\n".join(
-        [
-            f"(** The common points of two curves ({named}): proved from their knots and control points.\n\n"
-            "    Written by [exactspline between --emit-coq]; do not edit. It is compiled after the files that\n"
-            "    [exactspline coq DIR] writes: coqc -R DIR ExactSpline FILE.v. *)\n",
-            "Require Import ZArith QArith List Reals.\nFrom ExactSpline Require Import Base Answers Meetings.",
-            "Import ListNotations.\nLocal Open Scope Q_scope.\n",
-            *[_definition(name, c) for name, c in zip(("first_curve", "second_curve"), (first, second), strict=True)],
-            _elimination_text(found),
-            "Definition the_cells : list cell := [\n  " + ";\n  ".join(map(_cell_text, cells)) + "\n].\n",
-            "Definition the_places : list ((Q * Q) * place) := [\n  "
-            + ";\n  ".join(f"({_interval(x.second)}, {_place_text(x)})" for x in places)
-            + "\n].\n",
-            f"(** The curves meet at exactly {counted(len(boxes), 'point')}, one in each box. *)\n"
-            f"Theorem the_curves_meet :\n  hold_exactly (same_point {' '.join(pieces)})\n    {ends}\n    [{listed}].\n"
-            "Proof.\n  apply (curves_meet_exactly _ _ the_elimination _ _ _ _ the_cells the_places).\n"
-            f"  vm_cast_no_check (eq_refl (true, ({_pairs_text(x.second for x in places)} : list (Q * Q))%Q,\n"
-            f"    ([{listed}] : list box)%Q)).\nQed.\n",
-        ]
+    return _written(
+        "meetings",
+        titles=named,
+        definitions="\n".join(_definition(f"{k}_curve", c) for k, c in (("first", first), ("second", second))),
+        elimination=_elimination_text(found),
+        cells=";\n  ".join(map(_cell_text, cells)),
+        places=";\n  ".join(f"({_interval(x.second)}, {_place_text(x)})" for x in places),
+        many=counted(len(boxes), "point"),
+        pieces=" ".join(pieces),
+        ends=ends,
+        boxes=listed,
+        seconds=_pairs_text(x.second for x in places),
     )
 
 
