@@ -390,29 +390,6 @@ def test_common_zeros_of_exchanged_stretched_and_divided_functions(p, q):
         assert sum(len(set(map(tuple, sides))) > 1 for sides, along in whole if not along) >= len(edges)
 
 
-@pytest.mark.parametrize("p", [pair[0] for pair in PAIRS])
-def test_zeros_of_one_function_exchanged_and_divided(p):
-    f = function(p)
-    found, turned = zero_curve(f), zero_curve(f.transposed())
-    assert [(x.second, x.first, x.kind, x.multiplicity) for x in turned.singular_points] in (
-        [(x.first, x.second, x.kind, x.multiplicity) for x in found.singular_points],
-        [(x.first, x.second, x.kind, x.multiplicity) for x in found.singular_points][::-1],
-    )
-    assert len(found.lines) == len(turned.lines)
-    assert sorted(x.shape for x in found.curves) == sorted(x.shape for x in turned.curves)
-    assert [(x.second, x.first) for x in turned.points] == [(x.first, x.second) for x in found.points]
-    assert zero_curve(f.scaled(-2)) == found
-    cut = zero_curve(f.insert_knot(0, mpq(3, 7)).insert_knot(0, mpq(2, 3)).insert_knot(1, mpq(4, 9)))
-    assert sorted(x.shape for x in cut.curves) == sorted(x.shape for x in found.curves)
-    assert places(cut.singular_points) == places(found.singular_points)
-    assert [x.kind for x in cut.singular_points] == [x.kind for x in found.singular_points]
-    assert (len(cut.lines), len(cut.points)) == (len(found.lines), len(found.points))
-    ends = [{arc.start, arc.end} for arc in found.arcs]
-    assert sorted(map(str, ends)) == sorted(map(str, [{arc.start, arc.end} for arc in cut.arcs]))
-    assert found
-    assert found.complete
-
-
 @pytest.mark.parametrize("is_turned", [False, True])
 def test_isolated_points_of_a_common_factor_on_its_lines(is_turned):
     """One on the line is part of it; one at another place is not."""

@@ -1,20 +1,16 @@
-"""Many bisectors of ordinary data against an oracle that shares no code: seeded, the result recorded.
+"""Many bisectors of ordinary data against an oracle that shares no code: seeded.
 
-python -m tests.campaigns.bisectors --pairs 10000 --trimmings 1000 --seed 1 --record campaign.json
-python -m tests.campaigns.bisectors --pairs 1 --trimmings 0 --seed 6127 --dial thirds      one case again
+python -m tests.campaigns.bisectors 1000 1
+python -m tests.campaigns.bisectors 1 6127 --family pairs --dial thirds      one case again
 
 Numbers are small integers, thirds, decimals of ten digits, doubles of 17 digits, and such doubles times 1e±300. The
 oracle takes curves in their power basis (de Boor's algorithm on polynomials), planes by Cramer's rule, real roots from
 FLINT's isolation of complex ones, and distances from their definition; of the package it uses the numbers.
 """
 
-import argparse
-import json
 import sys
 import time
-from collections import Counter
 from itertools import product
-from pathlib import Path
 from random import Random
 
 from flint import arb, ctx, fmpq_poly
@@ -38,10 +34,9 @@ from tests.support.bisector_oracle import (
     spans,
 )
 from tests.support.dials import DIALS
+from tests.support.families import SLOW, by_families
 from tests.support.vectors import cross, dot
 
-#: Seconds after which an answer counts as slow.
-SLOW = 10
 #: Per mille of the cases with one sort of numbers that may be left out or refused.
 CEILING = 1
 #: What is refused for good: a point on the curve has no bisector of the usual kind.
@@ -257,90 +252,35 @@ def trimming_differences(found, c, q, random):
 # ---- the run
 
 
-def one_pair(seed, dial):
-    """The record of one pair of curves."""
-    random = Random(f"pair {seed} {dial}")
-    first, second = random_pair(DIALS[dial], random)
-    return measured(lambda: curve_bisector(first, second), lambda found: differences(found, first, second, random))
+def pairs(number, random):
+    """The bisector of two curves, and what it says otherwise than the oracle."""
+    first, second = random_pair(number, random)
+    found = curve_bisector(first, second)
+    return found, lambda: differences(found, first, second, random)
 
 
-def one_trimming(seed, dial):
-    """The record of one point and plane curve."""
-    random = Random(f"trimming {seed} {dial}")
-    c, q = curve(DIALS[dial], random, 2), (DIALS[dial](random), DIALS[dial](random))
-    return measured(lambda: trimmed_bisector(c, q), lambda found: trimming_differences(found, c, q, random))
+def trimmings(number, random):
+    """The trimmed bisector of a point and a plane curve, and the same."""
+    c, q = curve(number, random, 2), (number(random), number(random))
+    found = trimmed_bisector(c, q)
+    return found, lambda: trimming_differences(found, c, q, random)
 
 
-def measured(compute, compare):
-    """What became of one case: seconds, what is left out, refused or different; anything else is raised on."""
+FAMILIES = {family.__name__: family for family in (pairs, trimmings)}
+
+
+def differs(family, dial, seed):
+    """What is wrong with one case, "" where nothing is."""
     start = time.process_time()
     try:
-        found = compute()
-        left_out = list(found.undecided)
+        found, compare = FAMILIES[family](DIALS[dial], Random(f"{family} {seed} {dial}"))
     except ExactSplineError as error:
-        return {"seconds": time.process_time() - start, "refused": str(error)[:200]}
+        return "" if ON_THE_CURVE in str(error) else type(error).__name__
     seconds = time.process_time() - start
-    return {"seconds": seconds, "left_out": left_out, "different": compare(found)}
-
-
-def run(pairs, trimmings, seed, report=lambda text: None, dials=tuple(DIALS)):
-    """The summary of a campaign, and the cases that are not as they should be."""
-    summary, cases, counts = Counter(), [], {"pair": (one_pair, pairs), "trimming": (one_trimming, trimmings)}
-    of_each = Counter()
-    slowest = 0.0
-    for name, (case, count) in counts.items():
-        for k in range(count):
-            dial = dials[k % len(dials)]
-            record = case(seed + k, dial)
-            slow = record["seconds"] > SLOW and not record.get("left_out")
-            slowest = max(slowest, record["seconds"])
-            summary[f"{name}s"] += 1
-            of_each[f"{name} {dial}"] += 1
-            flags = {
-                "different": record.get("different"),
-                "left out": record.get("left_out"),
-                "refused": record.get("refused"),
-                "slow": slow,
-            }
-            for flag, value in flags.items():
-                if value:
-                    summary[f"{name}s, {flag}"] += 1
-                    cases.append({"what": name, "seed": seed + k, "dial": dial, "flag": flag} | record)
-            if (k + 1) % 100 == 0:
-                report(f"{name} {k + 1} of {count}: {dict(summary)}")
-    told = {"seed": seed, "summary": dict(summary), "counts": dict(of_each)}
-    return told | {"slowest": round(slowest, 2), "cases": cases}
-
-
-def above_ceiling(found):
-    """The sorts of numbers with more cases left out or refused than may be, each with how many."""
-    cases = Counter(
-        (case["what"], case["dial"])
-        for case in found["cases"]
-        if case["flag"] in ("left out", "refused") and ON_THE_CURVE not in case.get("refused", "")
-    )
-    return {key: n for key, n in cases.items() if 1000 * n > CEILING * found["counts"][f"{key[0]} {key[1]}"]}
-
-
-def main():
-    """Run, print and record."""
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--pairs", type=int, default=10_000)
-    parser.add_argument("--trimmings", type=int, default=1000)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--dial", choices=list(DIALS), help="numbers of one size only; by default of each in turn")
-    parser.add_argument("--record", default="", help="a JSON file for the result")
-    given = parser.parse_args()
-    dials = (given.dial,) if given.dial else tuple(DIALS)
-    found = run(given.pairs, given.trimmings, given.seed, lambda text: print(text, flush=True), dials)
-    if given.record:
-        Path(given.record).write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
-    for case in found["cases"][:20]:
-        print(case)
-    print(found["summary"], f"the slowest answer took {found['slowest']} s")
-    wrong = any(case["flag"] in ("different", "slow") for case in found["cases"])
-    sys.exit(wrong or bool(above_ceiling(found)))
+    if wrong := compare() + [f"{seconds:.1f} s"] * (seconds > SLOW and not found.undecided):
+        return "; ".join(wrong)
+    return "left out" if found.undecided else ""
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(by_families(__doc__, FAMILIES, DIALS, differs, sys.argv[1:], ceiling=CEILING))

@@ -1,4 +1,4 @@
-"""Common zeros against elimination by another route: ``python -m tests.campaigns.common_zeros 2000``.
+"""Common zeros against elimination by another route: ``python -m tests.campaigns.common_zeros 400 1``.
 
 The other route: FLINT's resultants in both directions, all their real roots to a thousand bits, and every pair of them
 at which both polynomials are below 2⁻⁴⁰⁰. It shares no code with the library and knows no fields, boxes or signs. The
@@ -11,19 +11,16 @@ family is left out.
 from __future__ import annotations
 
 import sys
-import time
-from collections import Counter
 from random import Random
 
 from flint import arb, ctx, fmpz_mpoly, fmpz_poly
 
-from exactspline.bivariate.common_zeros import common_zeros, multiplicity
-from exactspline.errors import ReachError
+from exactspline.bivariate.common_zeros import common_zeros
 from exactspline.numbers.exact import mpq
 from exactspline.numbers.intervals import Box, Interval
 from exactspline.polynomials.two_parameters import CONTEXT, S, T
+from tests.support.families import by_families
 
-SEED = 31
 #: Per mille of the pairs of a family that may be out of reach.
 CEILING = 1
 BITS, SMALL = 1000, 400
@@ -82,7 +79,7 @@ def lines(random: Random) -> tuple[fmpz_mpoly, fmpz_mpoly]:
     return f, any_polynomial(random, 2, 2)
 
 
-FAMILIES = (generic, through, irrational, tangent, lines)
+FAMILIES = {each.__name__: each for each in (generic, through, irrational, tangent, lines)}
 
 
 def by_other_route(f: fmpz_mpoly, g: fmpz_mpoly) -> list[tuple[arb, arb]]:
@@ -146,40 +143,11 @@ def _in(x: arb, side: Interval) -> bool:
     return bool(low < x < high)
 
 
-def run(count: int, start: int = 0) -> dict[str, Counter[str]]:
-    """This many pairs; differences are printed."""
-    table: dict[str, Counter[str]] = {}
-    for k in range(start, start + count):
-        family = FAMILIES[k % len(FAMILIES)]
-        f, g = family(Random(f"{SEED} {k}"))
-        if not f or not g or f.gcd(g).total_degree() > 0:
-            continue
-        own = table.setdefault(family.__name__, Counter())
-        own["pairs"] += 1
-        before = time.process_time()
-        try:
-            zeros = common_zeros([f, g], Box(SIDE, SIDE))
-        except ReachError:
-            own["left out"] += 1
-            continue
-        own["milliseconds"] += round(1000 * (time.process_time() - before))
-        own["zeros"] += len(zeros)
-        if told := difference(f, g):
-            own["different"] += 1
-            print(f"{k} {family.__name__}: {told}: {f}, {g}", flush=True)
-        if k % 7 == 0:
-            own["multiple"] += sum(multiplicity(zero, f, g) > 1 for zero in zeros)
-    return table
-
-
-def above_ceiling(table: dict[str, Counter[str]]) -> list[str]:
-    """The families of which more is left out than may be."""
-    return [name for name, own in table.items() if 1000 * own["left out"] > CEILING * own["pairs"]]
+def differs(family: str, dial: str, seed: int) -> str | None:
+    """What is different of one pair, if anything; its numbers are small integers whatever the dial."""
+    f, g = FAMILIES[family](Random(f"{family} {seed}"))
+    return difference(f, g) if f and g and f.gcd(g).total_degree() <= 0 else None
 
 
 if __name__ == "__main__":
-    arguments = [int(x) for x in sys.argv[1:]]
-    table = run(*(arguments or [1000]))
-    for name, counts in table.items():
-        print(f"{name:12}", ", ".join(f"{what} {n}" for what, n in counts.items()))
-    sys.exit(bool(above_ceiling(table)) or any(counts["different"] for counts in table.values()))
+    sys.exit(by_families(__doc__, FAMILIES, ("small integers",), differs, sys.argv[1:], ceiling=CEILING))

@@ -5,6 +5,7 @@ What is asserted is what holds for every curve; a sample of the campaign runs ag
 
 import json
 import time
+from itertools import product
 from random import Random
 
 import pytest
@@ -18,12 +19,13 @@ from exactspline.geometry.bisectors.single_pairs import brief
 from exactspline.geometry.bisectors.special_pairs import special_pairs
 from exactspline.geometry.bisectors.two_curves import curve_bisector
 from exactspline.polynomials.cost import Budget
-from tests.campaigns import bisectors as bisector_campaign
+from tests.campaigns import bisectors as campaign
 from tests.campaigns.bisectors import of_slice, said_of
 from tests.geometry.test_bisector_slices import U, polynomial
 from tests.support.bisector_oracle import bezier, curve_of, mapped, spans
 from tests.support.command import invoke
 from tests.support.dials import DIALS, over_dials
+from tests.support.families import by_families
 
 
 @over_dials
@@ -45,9 +47,9 @@ def test_the_oracle_notices_a_line_that_is_missing():
     first = bezier((0, 0, 0), (1, 0, 1), (2, 2, 0))
     second = mapped(first, lambda x, y, z: (x, y, -2 - z))
     found = curve_bisector(first, second)
-    assert bisector_campaign.differences(found, first, second, Random(1)) == []
+    assert campaign.differences(found, first, second, Random(1)) == []
     vars(found)["lines"] = ()
-    assert bisector_campaign.differences(found, first, second, Random(1))
+    assert campaign.differences(found, first, second, Random(1))
 
 
 def test_a_line_at_infinity_is_none_for_the_oracle():
@@ -57,7 +59,7 @@ def test_a_line_at_infinity_is_none_for_the_oracle():
     found = curve_bisector(first, second)
     assert [one.poles for line in found.lines for one in line.pieces] == [[mpq(1, 2)]]
     ((i, one),), ((j, other),) = spans(first), spans(second)
-    ends, s = bisector_campaign.polynomials_of(first, i, second, j), mpq(1, 2)
+    ends, s = campaign.polynomials_of(first, i, second, j), mpq(1, 2)
     assert len(of_slice(ends, s, other)) == len(said_of(found, (one, other), s)) == 2
 
 
@@ -96,7 +98,7 @@ def test_plane_curves_in_space_have_their_cylinder(number):
     first, second = plane_curves(3, number)
     found = curve_bisector(first, second)
     ((i, one),), ((j, other),) = spans(first), spans(second)
-    ends = bisector_campaign.polynomials_of(first, i, second, j)
+    ends = campaign.polynomials_of(first, i, second, j)
     if found.undecided:
         assert all(len(text) < 300 for text in found.undecided)
     else:
@@ -202,20 +204,19 @@ def test_integers_beyond_4300_digits_are_written(tmp_path):
 
 def test_a_sample_of_the_campaign():
     """Before: a traceback for most pairs of doubles with a special position. `python -m tests.campaigns.bisectors` runs
-    more of them, and records the result.
+    more of them.
     """
-    found = bisector_campaign.run(18, 12, 9000)
-    assert not [case for case in found["cases"] if case["flag"] in ("different", "slow", "left out")]
-    assert all("lies on the curve" in case["refused"] for case in found["cases"])
-    assert not bisector_campaign.above_ceiling(found)
+    cases = product(campaign.FAMILIES, DIALS, range(9000, 9003))
+    assert {case: wrong for case in cases if (wrong := campaign.differs(*case))} == {}
 
 
-def test_what_is_left_out_is_counted_by_the_sort_of_numbers():
-    """Passed before: doubles of which every tenth pair is left out or refused; the campaign counted all together."""
-    told = {"what": "pair", "dial": "thirds", "flag": "refused"}
-    cases = [told | {"refused": f"the point {bisector_campaign.ON_THE_CURVE}"}, told | {"refused": "too large"}]
-    assert bisector_campaign.above_ceiling({"counts": {"pair thirds": 1000}, "cases": cases}) == {}
-    assert bisector_campaign.above_ceiling({"counts": {"pair thirds": 999}, "cases": cases}) == {("pair", "thirds"): 1}
+def test_what_is_left_out_has_a_ceiling():
+    """Passed before: a family of which every tenth case is left out or refused."""
+    for ceiling, wrong in ((None, False), (111, True), (112, False)):
+        told = by_families(
+            "a\n", {"a": 0}, {"b": 0}, lambda *case: "left out" * (case[2] == 1), ["9", "1"], ceiling=ceiling
+        )
+        assert told == wrong
 
 
 def test_every_reason_for_which_there_is_no_surface_is_named():

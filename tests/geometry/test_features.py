@@ -193,14 +193,6 @@ def test_right_angles_are_whole_numbers_of_degrees(k, digits):
     assert (-1 < turned(k, mpq(1, 100)) < 90) is True
 
 
-def test_a_negative_weight_function_changes_no_maximum_into_a_minimum():
-    points, weights = [(0, 0), (1, 3), (3, -2), (4, 1)], [1, 2, 3, 1]
-    plus, minus = bezier(*points, weights=weights), bezier(*points, weights=[-w for w in weights])
-    found = [[(f.kind, f.of_absolute, f.root) for f in analyse(c).critical_points] for c in (plus, minus)]
-    assert found[0] == found[1]
-    assert found[0]
-
-
 def test_a_singular_seam_is_counted_once():
     curve = bezier((0, 0), (0, 0), (3, 0), (1, 4), (0, 0), (0, 0))
     assert [(f.kind, f.root.exact) for f in analyse(curve).singular_points] == [("corner", 0)]

@@ -65,13 +65,6 @@ def test_curves_in_one_plane_cross_and_touch_there():
     ]
 
 
-def test_a_curve_meets_itself_in_its_plane():
-    flat = xs.Nurbs(3, [0] * 4 + [1] * 4, [(0, 0), (3, 3), (-2, 3), (1, 0)])
-    (found,) = xs.analyse(xs.Nurbs(3, flat.knots, list(map(tilted, flat.control_points)))).self_intersections
-    assert (str(found.kind), found.multiplicity, found.first.closed_form) == ("crossing", 1, "(2 - √3)/4")
-    assert found.point == tilted(x.exact for x in xs.analyse(flat).self_intersections[0].point)
-
-
 @pytest.mark.parametrize("name", ["area", "evolute", "offset_cusps:1"])
 def test_what_needs_lengths_is_refused_there(name):
     with pytest.raises(xs.ExactSplineError, match="in another plane than z = 0; it is asked of a plane curve"):

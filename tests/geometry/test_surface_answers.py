@@ -164,23 +164,6 @@ def test_planes_points_and_curves():
     assert analyse(point).kinds == ("a point",)
 
 
-def test_an_umbilic_is_one_umbilic_wherever_the_knots_are():
-    saddle = example("monkey_saddle")
-    for cut in (
-        saddle.insert_knot("u", 0),
-        saddle.insert_knot("v", 0),
-        saddle.insert_knot("u", 0).insert_knot("v", 0),
-        saddle.insert_knot("u", "1/3").elevate_degree(1, 1),
-        saddle.restrict((0, 1), (0, 1)),
-        saddle.restrict((-1, 0), (-1, 1)),
-    ):
-        found = analyse(cut)
-        assert [(one.place.exact, one.kind) for one in found.umbilics] == [((0, 0), "star")]
-        assert not found.umbilics[0].one_sided
-        assert found.complete
-    assert not analyse(saddle.restrict(("1/1000", 1), (0, 1))).umbilics
-
-
 def test_multiple_umbilics_and_none():
     bowl = example("paraboloid")
     assert [(u.place.exact, u.kind) for u in analyse(bowl).umbilics] == [((0, 0), "multiple")]

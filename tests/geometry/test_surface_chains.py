@@ -17,21 +17,6 @@ def pieces(found):
     return sum(len(curve.pieces) for curve in found.parabolic_curves)
 
 
-@pytest.mark.parametrize("name", ["bicubic", "biquadratic", "rational_biquadratic"])
-def test_knots_cut_nothing_apart(name):
-    surface = example(name)
-    plain = analyse(surface)
-    assert plain.complete
-    for cuts in ([("u", mpq(1, 3))], [("u", mpq(1, 3)), ("v", mpq(2, 5)), ("u", mpq(3, 5))]):
-        cut = surface
-        for along, at in cuts:
-            cut = cut.insert_knot(along, at)
-        found = analyse(cut)
-        assert shapes(found) == shapes(plain)
-        assert len(found.umbilics) == len(plain.umbilics)
-    assert pieces(found) > pieces(plain)
-
-
 def tube(shift, seed=5, count=5):
     """A tube, cubic with continuous curvature around, cut open at another knot for every shift."""
     random = Random(seed)

@@ -123,16 +123,6 @@ def test_a_seam_is_told_once():
     assert places(ask(example("sphere"), "nearest:3,0,0")) == [(0, 1)]
 
 
-def test_nearest_with_weights_of_the_other_sign():
-    given = example("sphere")
-    turned = NurbsSurface(
-        given.degree, *given.knots, given.control_points, [[-w for w in row] for row in given.weights]
-    )
-    found, expected = (ask(each, "nearest:1,2,3") for each in (turned, given))
-    assert (found.distance, [x.spot for x in found]) == (expected.distance, [x.spot for x in expected])
-    assert [x.values for x in ask(turned, "bounding_box")] == [x.values for x in ask(given, "bounding_box")]
-
-
 def test_a_degenerate_surface():
     point = surface(0 * U + 1, 0 * U + 2, 0 * U)
     found = ask(point, "nearest:1,0,0")

@@ -75,12 +75,6 @@ def test_a_ray_that_touches_from_below_and_above_counts_nothing():
         assert winding_number(bump, point) == 0
 
 
-def test_weights_of_any_scale_and_sign_change_nothing():
-    circle = example("circle")
-    turned = Nurbs(2, circle.knots, circle.control_points, [-3 * w for w in circle.weights])
-    assert winding_number(turned, ("1/3", "1/5")) == winding_number(circle, ("1/3", "1/5")) == 1
-
-
 def test_curves_without_an_inside_are_refused():
     with pytest.raises(ShapeError, match="not closed"):
         winding_number(SQUARE.restrict(0, 3), (1, 1))

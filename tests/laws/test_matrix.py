@@ -214,11 +214,11 @@ EXAMPLES = [
 ]
 
 
-#: Each change with every third example, each example with every third change.
+#: Each change with every fourth example, each example with every fourth change.
 CHANGED = [
     (name, change)
     for (i, name), (k, change) in product(enumerate(EXAMPLES), enumerate(CHANGES[Of.PLANE_CURVE]))
-    if i % 3 == k % 3
+    if i % 4 == k % 4
 ]
 
 
