@@ -10,10 +10,9 @@ True
 from __future__ import annotations
 
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from ctypes import POINTER, Structure, byref, c_double, c_int, c_void_p
 from functools import cache, lru_cache
-from itertools import chain
 from math import nan
 from typing import NamedTuple
 
@@ -23,6 +22,7 @@ from exactspline.numbers.extension import loaded
 from exactspline.programs.error_bounds import factors, known_of
 from exactspline.programs.instructions import UNIT, ZERO
 from exactspline.programs.program import Program
+from exactspline.splines.evaluation import Forms
 
 #: The roundings of an operand: numerator, denominator (twice, for it is divided by), quotient.
 ROUNDINGS = 4
@@ -52,8 +52,6 @@ FEW, EACH = 30, 8
 #: function is positive; zeros of the first output and of another overlap. And of the knot at its start, or of the seam:
 #: the first output changes its sign; the second does; the curvatures of both sides certainly differ.
 UNCERTAIN, SLOW, ENTANGLED, BENDS, TURNS, DIFFERENT = 1, 2, 4, 8, 16, 32
-#: The integers of the operands of a segment, and their denominator.
-Row = tuple[Sequence[Sequence[int]], int]
 
 
 class _Instruction(Structure):
@@ -206,49 +204,33 @@ def _in_c(program: Program) -> _Program | None:
     )
 
 
-def signs(program: Program, rows: Sequence[Row]) -> Signs | None:
-    """The certain signs of the outputs of a program (the last of which must have no zero) on segments, each given by
-    the integers of its operands and their denominator; the last operand of a rational curve is the weight function.
-    None without the extension, and for numbers that are too large for it.
+def signs(program: Program, forms: Forms | None, segments: int) -> Signs | None:
+    """The certain signs of the outputs of a program (the last of which must have no zero) on segments, given by their
+    `Forms`, which are overwritten; the last operand of a rational curve is the weight function. None without the
+    extension, and for numbers that are too large for it.
     """
     prepared = _in_c(program) if filter_curve is not None else None
-    if prepared is None or filter_curve is None:
+    if prepared is None or filter_curve is None or forms is None:
         return None
-    segments, outputs = len(rows), prepared.outputs
+    outputs = prepared.outputs
     start, room = outputs + (OF_SEGMENT + 4 * outputs) * segments, FEW + EACH * segments
-    try:
-        data = array("d", [*_integers(rows), *(below for _, below in rows)])
-    except OverflowError:
-        return None
     found = array("d", [0]) * (start + OF_ZERO * room)
-    count = filter_curve(byref(prepared), data.buffer_info()[0], segments, found.buffer_info()[0], room)
+    count = filter_curve(byref(prepared), forms[0].buffer_info()[0], segments, found.buffer_info()[0], room)
     del found[start + OF_ZERO * max(count, 0) :]
     return None if count < 0 else Signs(found, outputs, start)
 
 
-def _integers(rows: Sequence[Row]) -> Iterator[int]:
-    """For each operand the integers of all segments."""
-    return chain.from_iterable(chain.from_iterable(zip(*[parts for parts, _ in rows], strict=True)))
-
-
-def nearest(program: Program, rows: Sequence[Row], zeros: array[float], ends: Sequence[mpq]) -> Sequence[float]:
+def nearest(program: Program, forms: Forms | None, zeros: array[float], ends: Sequence[mpq]) -> Sequence[float]:
     """The doubles nearest to the parameters of some zeros, given by their numbers as in `Signs`, on the segments from
     that of the first zero to that of the last one, with these ends; not a number for what is not certain.
     """
     prepared, found = _in_c(program), array("d", [nan]) * (len(zeros) // OF_ZERO)
     try:
-        whole = [*_integers(rows)]
-        data, places = array("d", whole), array("d", map(float, ends))
-        exact = max(map(abs, whole)) < 2**53  # then all are doubles
-        rest, off = array("d", () if exact else _rest(whole, data)), array("d", _rest(ends, places))
+        places = array("d", map(float, ends))
+        off = array("d", [float(x - mpq(y)) for x, y in zip(ends, places, strict=True)])
     except OverflowError:
         return found
-    if filter_doubles is not None and prepared is not None:
-        addresses = [x.buffer_info()[0] for x in (data, rest, zeros, places, off, found)]
-        filter_doubles(byref(prepared), *addresses, len(rows), len(found))
+    if filter_doubles is not None and prepared is not None and forms is not None:
+        addresses = [x.buffer_info()[0] for x in (*forms, zeros, places, off, found)]
+        filter_doubles(byref(prepared), *addresses, len(ends) - 1, len(found))
     return found
-
-
-def _rest(numbers: Iterable[mpq | int], near: Sequence[float]) -> Iterator[float]:
-    """The differences of numbers from doubles near them, each rounded once."""
-    return (float(x - mpq(y)) for x, y in zip(numbers, near, strict=True))

@@ -372,10 +372,14 @@ static int filtered(const Program *program, double *data, int segments, double *
         return -1;
     for (int i = 0; i < program->operands * total; i++) {
         double m = below[i % total / width];
-        if (!(fabs(data[i]) < BIG && fabs(m) < BIG && fabs(m) >= 1))
+        if (!(fabs(data[i]) < BIG && fabs(m) < BIG && fabs(m) >= 1) || (data[i] != 0 && fabs(data[i]) * BIG < fabs(m)))
             return -1;
         data[i] /= m;
     }
+    /* with a negative weight function the same curve in other homogeneous coordinates: forms of odd degree change their sign */
+    if (program->rational && data[coordinates * total] < 0)
+        for (int i = 0; i < program->operands * total; i++)
+            data[i] = -data[i];
     made_small(data, coordinates * total);
     if (program->rational)
         made_small(data + coordinates * total, total);
@@ -442,7 +446,7 @@ static int filtered(const Program *program, double *data, int segments, double *
 /* Run a program on the segments of a curve and find the zeros of its outputs except the last, which must have none.
 
    data: for every operand, segment and coefficient an integer, rounded, and then the denominators of the segments; where
-   the program is `rational` the last operand is a weight function, which must be positive. It is overwritten.
+   the program is `rational` the last operand is a weight function, which must have one sign. It is overwritten.
    found: what is said of any segment and knot, the seam apart, and the number of zeros of every output except the last. Then for every segment what
    is said of it; for every output the ordinates at both ends, each followed by the bound of its error; and the weight
    function at both ends. Then for every zero: four times its output, plus 2 where the sign before it is positive, plus 1
@@ -677,7 +681,7 @@ static int rounded(const Program *program, const double *data, const double *res
                 int from = k / width * total + segment * width + k % width;
                 high[k] = data[from];
                 low[k] = rest ? rest[from] : 0;
-                if (!(fabs(high[k]) < BIG && fabs(low[k]) < BIG))
+                if (!(fabs(high[k]) < BIG && fabs(low[k]) < BIG) || (high[k] != 0 && fabs(high[k]) * BIG < 1))
                     return -1;
             }
             int first = made_small(high, used), second = made_small(high + used, program->operands * width - used);
@@ -1576,6 +1580,8 @@ int filter_closer(const double *first, int i, const double *second, int j, doubl
 /* The numbers before all others: the degree; how many components, limbs of a number, control points and segments there
    are; whether limits are from the left; and how many places there are. */
 enum { DEGREE, COMPONENTS, LIMBS, POINTS, SEGMENTS, LEFT, PLACES, SIZES };
+/* In `curve_forms` two of them are others. */
+enum { RATIONAL = LEFT, TOTAL = PLACES };
 
 #ifdef __SIZEOF_INT128__
 __extension__ typedef unsigned __int128 Wide;
@@ -1598,6 +1604,49 @@ static void multiply(uint64_t *number, uint64_t by, int64_t limbs) {
         number[k] = (uint64_t)carry;
         carry >>= 64;
     }
+}
+
+/* A coefficient of a component of a curve on a segment: a sum of multiples of the control points. */
+static void coefficient(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, int64_t c, int64_t segment,
+                        int64_t i, uint64_t *to) {
+    const int64_t n = sizes[DEGREE], limbs = sizes[LIMBS], *firsts = sizes + SIZES;
+    memset(to, 0, (size_t)limbs * sizeof(uint64_t));
+    for (int64_t j = 0; j <= n; j++) {
+        uint64_t weight = weights[(segment * (n + 1) + i) * (n + 1) + j];
+        if (weight)
+            add_multiple(to, points + (c * sizes[POINTS] + firsts[segment] + j) * limbs, weight, limbs);
+    }
+}
+
+/* Change the sign of a number, or leave it. */
+static void negated(uint64_t *number, int64_t limbs, int changed) {
+    uint64_t carry = 1;
+    for (int64_t k = 0; changed && k < limbs; k++) {
+        number[k] = ~number[k] + carry;
+        carry &= number[k] == 0;
+    }
+}
+
+/* The number of bits of a number ≥ 0. */
+static int64_t bits_of(const uint64_t *number, int64_t limbs) {
+    while (limbs && !number[limbs - 1])
+        limbs--;
+    int64_t bits = 64 * limbs;
+    for (uint64_t top = limbs ? number[limbs - 1] : 0; top && !(top >> 63); top <<= 1)
+        bits--;
+    return bits;
+}
+
+/* The first 53 bits of a number ≥ 0, divided by a power of two, in every rounding mode; they are taken away from it. */
+static double first_of(uint64_t *number, int64_t limbs, int64_t power) {
+    int64_t bits = bits_of(number, limbs), low = bits > 53 ? bits - 53 : 0, at = low / 64, by = low % 64;
+    uint64_t first = number[at] >> by;
+    number[at] &= ((uint64_t)1 << by) - 1;
+    if (by && at + 1 < limbs) {
+        first |= number[at + 1] << (64 - by);
+        number[at + 1] = 0;
+    }
+    return ldexp((double)(int64_t)first, (int)(low - power));
 }
 
 /* The segment of a place: at a breakpoint the one on its right, or on its left. */
@@ -1672,7 +1721,7 @@ static double nearest_quotient(const uint64_t *top, const uint64_t *bottom, int6
 int curve_points(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, uint64_t *found, double *near) {
 #ifdef __SIZEOF_INT128__
     const int64_t n = sizes[DEGREE], components = sizes[COMPONENTS], limbs = sizes[LIMBS], count = sizes[PLACES];
-    const int64_t *firsts = sizes + SIZES, *breaks = firsts + sizes[SEGMENTS], *places = breaks + sizes[SEGMENTS] + 1;
+    const int64_t *breaks = sizes + SIZES + sizes[SEGMENTS], *places = breaks + sizes[SEGMENTS] + 1;
     const size_t size = (size_t)limbs * sizeof(uint64_t);
     uint64_t *rows = found + components * count * limbs, *term = rows + components * (n + 1) * limbs;
     int64_t here = -1;
@@ -1680,15 +1729,9 @@ int curve_points(const int64_t *sizes, const uint64_t *weights, const uint64_t *
         int64_t segment = segment_of(breaks, sizes[SEGMENTS], places[k], sizes[LEFT]);
         if (segment != here) {
             here = segment;
-            memset(rows, 0, (size_t)(components * (n + 1)) * size);
             for (int64_t c = 0; c < components; c++)
                 for (int64_t i = 0; i <= n; i++)
-                    for (int64_t j = 0; j <= n; j++) {
-                        uint64_t weight = weights[(segment * (n + 1) + i) * (n + 1) + j];
-                        if (weight)
-                            add_multiple(rows + (c * (n + 1) + i) * limbs,
-                                         points + (c * sizes[POINTS] + firsts[segment] + j) * limbs, weight, limbs);
-                    }
+                    coefficient(sizes, weights, points, c, segment, i, rows + (c * (n + 1) + i) * limbs);
         }
         uint64_t u = (uint64_t)(breaks[segment + 1] - places[k]), v = (uint64_t)(places[k] - breaks[segment]);
         for (int64_t c = 0; c < components; c++) {
@@ -1710,6 +1753,79 @@ int curve_points(const int64_t *sizes, const uint64_t *weights, const uint64_t *
     return 1;
 #else
     (void)sizes, (void)weights, (void)points, (void)found, (void)near;
+    return 0;
+#endif
+}
+
+#ifdef __SIZEOF_INT128__
+/* Add a product of two numbers, or subtract it. */
+static void add_product_of(uint64_t *to, const uint64_t *a, const uint64_t *b, int64_t limbs, int minus) {
+    negated(to, limbs, minus);
+    for (int64_t k = 0; k < limbs; k++)
+        add_multiple(to + k, a, b[k], limbs - k);
+    negated(to, limbs, minus);
+}
+
+/* `curve_forms` with room for the forms of a segment, the weight function of a polynomial curve, and a number. */
+static void written(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, double *near, double *rest,
+                    uint64_t *room) {
+    const int64_t n = sizes[DEGREE], components = sizes[COMPONENTS], limbs = sizes[LIMBS], width = (n + 1) * limbs;
+    const int64_t coordinates = components - (sizes[RATIONAL] != 0), start = sizes[SIZES + sizes[SEGMENTS]];
+    const uint64_t *below = points + components * sizes[POINTS] * limbs;
+    uint64_t *w = room + coordinates * width, *number = room + (coordinates + 1) * width;
+    double binomial[MOST];
+    binomials(binomial, (int)n);
+    memset(w, 0, (size_t)width * sizeof(uint64_t));
+    for (int64_t i = 0; i <= n; i++)
+        w[i * limbs] = (uint64_t)binomial[i];
+    for (int64_t segment = 0; segment < sizes[SEGMENTS]; segment++) {
+        for (int64_t c = 0; c < components; c++)
+            for (int64_t i = 0; i <= n; i++)
+                coefficient(sizes, weights, points, c, segment, i, room + c * width + i * limbs);
+        /* the denominator first, by the size of which all are divided */
+        int64_t power = 0;
+        for (int64_t c = components; c >= 0; c--)
+            for (int64_t i = 0; i <= (c < components ? n : 0); i++) {
+                int64_t to = c * sizes[TOTAL] * (n + 1) + (start + segment) * (c < components ? n + 1 : 1) + i;
+                memset(number, 0, (size_t)limbs * sizeof(uint64_t));
+                add_product_of(number, c < components ? room + c * width + i * limbs : below + segment * limbs, w, limbs, 0);
+                if (c < coordinates)
+                    add_product_of(number, room + c * width, w + i * limbs, limbs, 1);
+                int negative = number[limbs - 1] >> 63 != 0;
+                negated(number, limbs, negative);
+                power = c < components ? power : bits_of(number, limbs) - 1;
+                near[to] = first_of(number, limbs, power) * (negative ? -1 : 1);
+                rest[to] = first_of(number, limbs, power) * (negative ? -1 : 1);
+            }
+    }
+}
+#endif
+
+/* The coefficients of a curve on its segments, each of which is moved so that it begins at the origin, as doubles near
+   integers: of a coordinate x with the weight function w, those of w₀ x − x₀ w, which is w₀ w times the distance.
+
+   sizes: the first numbers as in `curve_points`, but whether the last component is the weight function instead of LEFT,
+   and of how many segments there is room in the results instead of the number of places; then the first control point of
+   each segment; and the place of the first segment in the results.
+   weights: as in `curve_points`.
+   points: the numbers of each component of the control points, and the denominators of the segments, in two's complement.
+   near: for each component, segment and coefficient the double with the first 53 bits of the integer, that of w₀ w for the
+   weight function, and then for each segment that of w₀ times its denominator. Without weights w is 1. On each segment all
+   are divided by the same power of two, such that the size of the last is from 1 to 2.
+   rest: the same of the differences from the integers.
+
+   Returns 1, or 0 where the compiler has no integers of 128 bits, or there is no memory. The caller knows that the results
+   have enough limbs. */
+int curve_forms(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, double *near, double *rest) {
+#ifdef __SIZEOF_INT128__
+    int64_t numbers = (sizes[COMPONENTS] + 1) * (sizes[DEGREE] + 1) + 1;
+    uint64_t *room = malloc((size_t)(numbers * sizes[LIMBS]) * sizeof *room);
+    if (room)
+        written(sizes, weights, points, near, rest, room);
+    free(room);
+    return room != NULL;
+#else
+    (void)sizes, (void)weights, (void)points, (void)near, (void)rest;
     return 0;
 #endif
 }

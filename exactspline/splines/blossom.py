@@ -182,13 +182,13 @@ def common_rows(
     return found
 
 
-def packed_weights(t: Sequence[mpq], n: int, spans: Sequence[int]) -> tuple[bytes, int]:
-    """The weights of the spans [t_j, t_{j+1}] for C, and the bits of their largest denominator; no weights if they are
-    too large for C, or not worthwhile (see `common_rows`).
+def packed_weights(t: Sequence[mpq], n: int, spans: Sequence[int]) -> tuple[bytes, list[int]]:
+    """The weights of the spans [t_j, t_{j+1}] for C, and their denominators; no weights if they are too large for C, or
+    not worthwhile (see `common_rows`).
     """
     weights = (_weights_along(t, n, spans) if 0 < n <= MOST else None) or []
-    bits = max([own[2] for own in weights], default=1).bit_length()
-    return b"".join([own[-1] for own in weights]) if all(own[-1] for own in weights) else b"", bits
+    packed = [own[-1] for own in weights]
+    return b"".join(packed) if all(packed) else b"", [own[2] for own in weights]
 
 
 def _weights_along(t: Sequence[mpq], n: int, spans: Sequence[int]) -> list[Weights] | None:

@@ -22,10 +22,10 @@ from exactspline.numbers.once import Immutable, cached_property, fill
 from exactspline.one_line import one_line
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.reals.real import Real, square_root
-from exactspline.splines.blossom import CommonRows, common_rows
+from exactspline.splines.blossom import CommonRows
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.common import mapped, same_quotients, splines_over, with_common_knots
-from exactspline.splines.control_points import Point, exact_points, exact_weights, inserted, lifted, projected
+from exactspline.splines.control_points import Point, exact_points, exact_weights, inserted, projected
 from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.inputs import checked_degree, checked_side, exact_row
 from exactspline.splines.knots import KnotVector, Mesh, mesh_of
@@ -347,27 +347,16 @@ class Nurbs(Immutable, Curve[BSpline], FunctionsOutside):
     @cached_property
     def _splines(self) -> tuple[BSpline, ...]:
         """The components; for a rational curve the last one is the weight function."""
-        return tuple(splines_over(self.degree, self.knots, self._columns, vars(self).pop("rows", None)))
+        return tuple(splines_over(self.degree, self.knots, self.evaluation.columns, self.rows))
 
     @property
-    def _columns(self) -> list[tuple[mpq, ...]]:
-        """The control points of every component."""
-        points, weights = self.control_points, self.weights
-        rows = points if self.polynomial else [(*lifted(x, w), w) for x, w in zip(points, weights, strict=True)]
-        return list(zip(*rows, strict=True))
-
-    @cached_property
-    def rows(self) -> tuple[CommonRows, ...]:
+    def rows(self) -> Sequence[CommonRows]:
         """The integer coefficients of the components on every segment, over a common denominator.
 
         >>> Nurbs(1, [0, 0, 1, 1], [(0, 0), (4, "1/2")]).rows
-        ((((0, 8), (0, 1)), 2),)
+        [(((0, 8), (0, 1)), 2)]
         """
-        n = self.degree
-        if "_splines" not in vars(self):
-            return tuple(common_rows(self.knots.knots, n, self._columns, mesh_of(self.knots, n)[2]))
-        columns = [[tuple(int(c[k]) for k in range(n + 1)) for c in f.numerators] for f in self._splines]
-        return tuple(zip(zip(*columns, strict=True), map(int, self._splines[0].denominators), strict=True))
+        return self.evaluation.rows
 
     @cached_property
     def p(self) -> Vector[BSpline]:  # type: ignore[override]  # computed when asked for

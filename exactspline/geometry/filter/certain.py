@@ -10,7 +10,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from functools import partial
-from math import comb, nan
+from math import nan
 from typing import Any, NamedTuple
 
 from flint import fmpz, fmpz_poly
@@ -43,7 +43,7 @@ from exactspline.programs.accelerator import (
 from exactspline.programs.program import Program
 from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.root import LazyRoot, Root, root_inside
-from exactspline.splines.blossom import CommonRows
+from exactspline.splines.evaluation import Evaluation
 from exactspline.splines.knots import mesh_of
 from exactspline.splines.nurbs import Nurbs
 from exactspline.system import collector_quiet
@@ -183,9 +183,8 @@ class Certain:
 
     program: Program
     breaks: tuple[mpq, ...]
-    rows: Sequence[CommonRows]
-    #: The integers of the segments, of which some are moved, and what is certain of them in doubles.
-    nearer: Sequence[CommonRows]
+    evaluation: Evaluation
+    #: What is certain of its segments in doubles.
     found: Signs
     #: The zeros of κ and of κ′ at knots, and those on the segments that are not decided in doubles; these segments, and
     #: straight ones.
@@ -215,8 +214,9 @@ class Certain:
     def form(self, output: int, segment: int) -> LocalPolynomial:
         """An output of the program on a segment."""
         if segment not in self._outputs:
-            operands, below = self.rows[segment]
-            forms = [[fmpz_poly(list(c))] for c in operands]
+            (operands, below), rational = self.evaluation.rows[segment], self.evaluation.weights is not None
+            sign = -1 if rational and self.evaluation.rows[0][0][-1][0] < 0 else 1  # as in C
+            forms = [[sign * fmpz_poly(list(c))] for c in operands]
             self._outputs[segment] = self.program.run(forms, [[fmpz(below)]], [(ONE, ONE)])[0]
         return LocalPolynomial(self._outputs[segment][output])
 
@@ -228,8 +228,8 @@ class Certain:
         if block not in self._nearest:
             zeros = self.found.some(block * BLOCK, BLOCK)
             first, stop = int(zeros[1]), int(zeros[1 - OF_ZERO]) + 1
-            rows, breaks = self.nearer[first:stop], self.breaks[first : stop + 1]
-            self._nearest[block] = nearest(self.program, rows, zeros, breaks)
+            forms = self.evaluation.forms(first, stop)
+            self._nearest[block] = nearest(self.program, forms, zeros, self.breaks[first : stop + 1])
         return self._nearest[block][k]
 
     def _places(self, output: int) -> Places[Feature]:
@@ -282,27 +282,15 @@ def certain(facts: Facts) -> Certain | None:
         return _polygon(facts)
     if curve.dimension != 2 or accelerator.filter_curve is None:
         return None
-    rows: Sequence[CommonRows] = curve.rows
-    if rational and rows[0][0][-1][0] < 0:
-        rows = [([[-x for x in c] for c in operands], below) for operands, below in rows]
-    program = plane_program(curve.degree, rational)
-    found, nearer = signs(program, rows), rows
+    program, count, unclear = plane_program(curve.degree, rational), curve.segments, UNCERTAIN | SLOW | ENTANGLED
+    found = signs(program, curve.evaluation.forms(0, count), count)
     if found is None:
         return None
-    unclear = UNCERTAIN | SLOW | ENTANGLED
-    if found.flags & unclear:
-        # all segments once more: results for different segments are compared, so that they must have the same unit
-        said = zip(rows, found.of_segments, strict=True)
-        nearer = [_moved(*row, rational=rational) if flags & unclear else row for row, flags in said]
-        del found
-        found = signs(program, nearer)
-        if found is None:
-            return None
     apart = {i: flags for i, flags in enumerate(found.of_segments) if flags & unclear} if found.flags & unclear else {}
     straight = {
         i
         for i, flags in apart.items()
-        if not flags & SLOW and _is_straight([fmpz_poly(list(c)) for c in rows[i][0]], curve.degree)
+        if not flags & SLOW and _is_straight([fmpz_poly(list(c)) for c in curve.rows[i][0]], curve.degree)
     }
     others = _on_runs(curve, apart.keys() - straight)
     if others is None:
@@ -311,21 +299,7 @@ def certain(facts: Facts) -> Certain | None:
         for jump in _jumps(facts, found, apart.keys()):
             others[jump.output].append(jump)
     pieces = facts.straight_runs(straight) if straight else ()
-    return Certain(program, facts.breaks, rows, nearer, found, others, apart.keys(), pieces)
-
-
-def _moved(operands: Sequence[Sequence[int]], below: int, *, rational: bool) -> CommonRows:
-    """A segment of a plane curve moved so that it begins at the origin: this changes no sign of a form, but doubles
-    lose less where a segment is short compared with its coordinates.
-
-    >>> _moved([[3, 5], [2, 4]], 1, rational=False), _moved([[3, 5], [2, 4], [2, 3]], 1, rational=True)
-    (([[0, 2], [0, 2]], 1), ([[0, 1], [0, 2], [4, 6]], 2))
-    """
-    degree = len(operands[0]) - 1
-    w = operands[-1] if rational else [comb(degree, k) for k in range(degree + 1)]
-    coordinates = operands[:-1] if rational else operands
-    parts = [[x * w[0] - y * c[0] for x, y in zip(c, w, strict=True)] for c in coordinates]
-    return ([*parts, [y * w[0] for y in w]] if rational else parts), below * w[0]
+    return Certain(program, facts.breaks, curve.evaluation, found, others, apart.keys(), pieces)
 
 
 def _polygon(facts: Facts) -> Certain | None:
@@ -335,7 +309,8 @@ def _polygon(facts: Facts) -> Certain | None:
         return None
     straight = facts.straight_runs(set(segments))
     nothing = Signs(array("d", bytes(24)), 3, 3)
-    return Certain(plane_program(1, rational=False), facts.breaks, [], [], nothing, ([], []), set(), straight)
+    program = plane_program(1, rational=False)
+    return Certain(program, facts.breaks, facts.curve.evaluation, nothing, ([], []), set(), straight)
 
 
 def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
