@@ -118,19 +118,9 @@ filter_curve = loaded("filter_curve", _carries_out, c_void_p, c_void_p, c_int, c
 filter_doubles = loaded("filter_doubles", _rounds, *[c_void_p] * 7, c_int, c_int)
 
 
-class SegmentZero(NamedTuple):
-    """A simple zero of an output inside a segment: an interval of the local parameter that contains it and no other
-    zero of the output, the sign before it, and for other outputs than the first the sign of the first output there.
-    """
-
-    output: int
-    segment: int
-    low: float
-    high: float
-    before: int
-    of_first: int
-    #: Its number among all zeros.
-    place: int
+#: A simple zero of an output inside a segment: its segment; where it is there, from 1 to 2; its number among all zeros;
+#: 2 where the output is positive before it, plus 1 where the first output, if it is another one, is positive there.
+SegmentZero = tuple[int, float, int, int]
 
 
 class Signs(NamedTuple):
@@ -161,12 +151,9 @@ class Signs(NamedTuple):
 
     def zeros(self, output: int) -> list[SegmentZero]:
         """The zeros of an output in the order of segments and parameters."""
-        columns = [self.numbers[self.start + k :: OF_ZERO] for k in range(OF_ZERO)]
-        return [
-            SegmentZero(output, int(segment), low, high, 1 if code % 4 > 1 else -1, 1 if code % 2 else -1, place)
-            for place, (code, segment, low, high) in enumerate(zip(*columns, strict=True))
-            if code // 4 == output
-        ]
+        numbers = zip(*[self.numbers[self.start + k :: OF_ZERO] for k in range(OF_ZERO - 1)], strict=True)
+        zeros = enumerate(numbers)
+        return [(int(i), 1 + low, k, int(code) % 4) for k, (code, i, low) in zeros if code // 4 == output]
 
     def some(self, first: int, count: int) -> array[float]:
         """The numbers of at most this many zeros, from this one on."""

@@ -1814,12 +1814,12 @@ static void written(const int64_t *sizes, const uint64_t *weights, const uint64_
    are divided by the same power of two, such that the size of the last is from 1 to 2.
    rest: the same of the differences from the integers.
 
-   Returns 1, or 0 where the compiler has no integers of 128 bits, or there is no memory. The caller knows that the results
-   have enough limbs. */
+   Returns 1, or 0 where the compiler has no integers of 128 bits, the degree is too high, or there is no memory. The caller
+   knows that the results have enough limbs. */
 int curve_forms(const int64_t *sizes, const uint64_t *weights, const uint64_t *points, double *near, double *rest) {
 #ifdef __SIZEOF_INT128__
     int64_t numbers = (sizes[COMPONENTS] + 1) * (sizes[DEGREE] + 1) + 1;
-    uint64_t *room = malloc((size_t)(numbers * sizes[LIMBS]) * sizeof *room);
+    uint64_t *room = sizes[DEGREE] < MOST ? malloc((size_t)(numbers * sizes[LIMBS]) * sizeof *room) : NULL;
     if (room)
         written(sizes, weights, points, near, rest, room);
     free(room);

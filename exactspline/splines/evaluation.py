@@ -25,8 +25,8 @@ Segment = tuple[int, int, int, list[list[list[int]]]]
 #: As many parameters are brought over one denominator. C computes at least this many points together, on a curve with
 #: at most this number of control points for each.
 TOGETHER, SEVERAL, PER_POINT = 256, 4, 16
-#: In C: the bits of a limb, the most limbs of a number, of one that becomes a double, the most bits of a parameter.
-LIMB, LIMBS, FEW, PLACE = 64, 64, 16, 62
+#: In C: the bits of a limb, the most limbs of a number, the most bits of a parameter.
+LIMB, LIMBS, PLACE = 64, 64, 62
 #: The forms of this many segments are computed from control points over one denominator.
 RUN = 512
 #: Doubles near the integers of the forms of segments, each moved so that it begins at the origin, and the differences:
@@ -36,21 +36,6 @@ Forms: TypeAlias = "tuple[array[float], array[float]]"
 #: all control points, component by component, and their denominator; the denominators of the weights; the bits of the
 #: largest number.
 _Run: TypeAlias = "tuple[list[int], bytes, list[int], int, list[int], int]"
-#: The ends of a segment as integers over a positive integer, this integer, and for every numerator and the denominator
-#: there the coefficients of its derivatives, the last first.
-Segment = tuple[int, int, int, list[list[list[int]]]]
-#: As many parameters are brought over one denominator. C computes at least this many points together, on a curve with
-#: at most this number of control points for each.
-TOGETHER, SEVERAL, PER_POINT = 256, 4, 16
-#: In C: the bits of a limb, the most limbs of a number, of one that becomes a double, the most bits of a parameter.
-LIMB, LIMBS, FEW, PLACE = 64, 64, 16, 62
-#: The forms of this many segments are computed from control points over one denominator.
-RUN = 512
-#: The bits of a double.
-BITS = 53
-#: For each component, segment and coefficient a double near the integer of the form, and then those of the denominators
-#: of the segments; and the differences from the integers, rounded, if there are any.
-Forms: TypeAlias = "tuple[array[float], array[float]]"
 
 
 def quotient_derivatives(above: Sequence[mpq], below: Sequence[mpq]) -> list[mpq]:
@@ -210,16 +195,14 @@ class Evaluation:
         near, function = array("d", bytes(8 * self._size * (n + 1) * count + 8 * count)), _in_c("curve_forms", _is_near)
         rest = array("d", near)
         for start in range(0, count, RUN):
-            end = min(first + start + RUN, stop)
-            run = self._for_c(first + start, end)
-            firsts, weights, numbers, unit, below, bits = run or self._of_rows(first + start, end)
+            ends = first + start, min(first + start + RUN, stop)
+            firsts, weights, numbers, unit, below, bits = self._for_c(*ends) or self._of_rows(*ends)
             limbs = (bits + bits * rational + 1) // LIMB + 1
             if function is None or limbs > LIMBS:
                 return None
             points = _encoded([*numbers, *(unit * x for x in below)], limbs)
             sizes = n, self._size, limbs, len(numbers) // self._size, len(firsts), rational, count, *firsts, start
-            rooms = near.buffer_info()[0], rest.buffer_info()[0]
-            function(array("q", sizes).tobytes(), weights, points, *rooms)
+            function(array("q", sizes).tobytes(), weights, points, near.buffer_info()[0], rest.buffer_info()[0])
         return near, rest
 
     def _for_c(self, first: int, stop: int) -> _Run | None:

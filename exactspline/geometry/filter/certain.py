@@ -125,27 +125,19 @@ def _on_runs(curve: Nurbs, left: Set[int]) -> Apart | None:
 SIDES = {1: (1, -1), -1: (-1, 1)}
 #: The kinds of an extremum.
 KINDS = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
-#: A zero of κ or κ′.
-Found = SegmentZero | Jump | Feature
 
 
 @dataclass
 class _SegmentForm:
-    """An output of a program on one segment."""
+    """An output of a program on one segment, as an integer polynomial."""
 
-    curve: Certain
-    output: int
-    segment: int
-
-    @cached_property
-    def form(self) -> LocalPolynomial:
-        """The form as an integer polynomial."""
-        return self.curve.form(self.output, self.segment)
+    form: LocalPolynomial
+    degree: int
 
     @cached_property
     def inner(self) -> list[LocalZero]:
         """The zeros of the form inside the segment, by exact arithmetic."""
-        return isolate(self.form.polynomial, self.curve.program.terms[self.output].degrees[0]).inner
+        return isolate(self.form.polynomial, self.degree).inner
 
 
 class _CurveZero(LazyRoot):
@@ -155,9 +147,9 @@ class _CurveZero(LazyRoot):
 
     near, _found = (), None
 
-    def __init__(self, curve: Certain, zero: SegmentZero, number: int, side: Interval) -> None:
-        self.curve, self.place, self.number, self.side = curve, zero.place, number, side
-        self.before, self.signs = zero.before, SIDES[zero.before]
+    def __init__(self, curve: Certain, place: int, before: int, number: int, side: Interval) -> None:
+        self.curve, self.place, self.number, self.side = curve, place, number, side
+        self.before, self.signs = before, SIDES[before]
 
     @cached_property
     def interval(self) -> Sequence[float]:  # type: ignore[override]  # read when it is needed
@@ -168,7 +160,7 @@ class _CurveZero(LazyRoot):
     def form(self) -> _SegmentForm:  # type: ignore[override]  # computed when it is needed
         """The output on its segment."""
         code, segment, *_ = map(int, self.curve.found.some(self.place, 1))
-        return _SegmentForm(self.curve, code // 4, segment)
+        return self.curve.form(code // 4, segment)
 
     def nearest(self, side: Interval | None, rounding: str) -> float:
         """The double nearest to the parameter, from C, as for `InDoubles`."""
@@ -211,14 +203,15 @@ class Certain:
         """Whether all critical points are extrema; those that are decided in doubles are."""
         return not any(isinstance(zero, Feature) and zero.kind not in KINDS for zero in self.others[CRITICAL])
 
-    def form(self, output: int, segment: int) -> LocalPolynomial:
+    def form(self, output: int, segment: int) -> _SegmentForm:
         """An output of the program on a segment."""
         if segment not in self._outputs:
-            (operands, below), rational = self.evaluation.rows[segment], self.evaluation.weights is not None
-            sign = -1 if rational and self.evaluation.rows[0][0][-1][0] < 0 else 1  # as in C
+            rows, rational = self.evaluation.rows, self.evaluation.weights is not None
+            (operands, below), sign = rows[segment], -1 if rational and rows[0][0][-1][0] < 0 else 1  # as in C
             forms = [[sign * fmpz_poly(list(c))] for c in operands]
             self._outputs[segment] = self.program.run(forms, [[fmpz(below)]], [(ONE, ONE)])[0]
-        return LocalPolynomial(self._outputs[segment][output])
+        degree, *_ = self.program.terms[output].degrees
+        return _SegmentForm(LocalPolynomial(self._outputs[segment][output]), degree)
 
     def nearest(self, index: int) -> float:
         """The double nearest to the parameter of a zero, given by its number among all that are certain in doubles; not
@@ -228,42 +221,43 @@ class Certain:
         if block not in self._nearest:
             zeros = self.found.some(block * BLOCK, BLOCK)
             first, stop = int(zeros[1]), int(zeros[1 - OF_ZERO]) + 1
-            forms = self.evaluation.forms(first, stop)
-            self._nearest[block] = nearest(self.program, forms, zeros, self.breaks[first : stop + 1])
+            ends = self.breaks[first : stop + 1]
+            self._nearest[block] = nearest(self.program, self.evaluation.forms(first, stop), zeros, ends)
         return self._nearest[block][k]
 
     def _places(self, output: int) -> Places[Feature]:
         count = len(self._zeros(output)) if self.apart else self.found.count(output) + len(self.others[output])
         return Places.late(count, partial(self._features, output), self.straight)
 
-    def _zeros(self, output: int) -> list[Found]:
-        """The zeros of an output."""
-        zeros: list[Found] = [zero for zero in self.found.zeros(output) if zero.segment not in self.apart]
-        own = self.others[output]
-        return sorted([*zeros, *own], key=partial(_place, self.breaks)) if own else zeros
+    def _zeros(self, output: int) -> list[SegmentZero]:
+        """The zeros of an output, those that are not certain in doubles without the last numbers."""
+        zeros = [zero for zero in self.found.zeros(output) if zero[0] not in self.apart]
+        own = [(*_place(self.breaks, each), k, -1) for k, each in enumerate(self.others[output])]
+        return sorted([*zeros, *own]) if own else zeros
 
     @collector_quiet()
     def _features(self, output: int) -> tuple[Feature, ...]:
         """The objects that describe the zeros."""
-        breaks, found, number, last, side = self.breaks, [], 0, -1, None
-        for zero in self._zeros(output):
+        breaks, found, number, last, side = self.breaks, list[Feature](), 0, -1, Interval(mpq(0), mpq(0))
+        for segment, _, k, code in self._zeros(output):
+            zero = self.others[output][k] if code < 0 else None
             if isinstance(zero, Feature):
                 found.append(zero)
                 continue
-            by_jump = isinstance(zero, Jump)
-            if isinstance(zero, Jump):
-                root = Root(breaks[zero.knot], breaks[zero.knot], (0, 0), (zero.before, -zero.before))
+            before = zero.before if zero else 1 if code > 1 else -1
+            if zero:
+                root = Root(breaks[segment], breaks[segment], (0, 0), (before, -before))
             else:
-                if zero.segment != last or side is None:
-                    number, last, side = 0, zero.segment, Interval(*breaks[zero.segment : zero.segment + 2])
-                root = root_inside(_CurveZero(self, zero, number, side), side)
+                if segment != last:
+                    number, last, side = 0, segment, Interval(*breaks[segment : segment + 2])
+                root = root_inside(_CurveZero(self, k, before, number, side), side)
                 number += 1
             if output == CURVATURE:
-                found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, by_jump))
+                found.append(Feature(FeatureKind.INFLECTION, root, Variant.MINIMAL, bool(zero)))
                 continue
-            kind, other = KINDS if zero.before > 0 else KINDS[::-1]
-            positive = self.found.positive(CURVATURE, zero.knot) if isinstance(zero, Jump) else zero.of_first > 0
-            found.append(Feature(kind, root, Variant.MINIMAL, by_jump, kind if positive else other))
+            kind, other = KINDS if before > 0 else KINDS[::-1]
+            positive = self.found.positive(CURVATURE, segment) if zero else code % 2
+            found.append(Feature(kind, root, Variant.MINIMAL, bool(zero), kind if positive else other))
         return tuple(found)
 
 
@@ -313,10 +307,10 @@ def _polygon(facts: Facts) -> Certain | None:
     return Certain(program, facts.breaks, facts.curve.evaluation, nothing, ([], []), set(), straight)
 
 
-def _place(breaks: Sequence[mpq], zero: Found) -> tuple[int, float]:
+def _place(breaks: Sequence[mpq], zero: Jump | Feature) -> tuple[int, float]:
     """The sorting key by parameter: a knot comes before the zeros on the segment that it begins. Features are alone on
     their segments, in order.
     """
     if isinstance(zero, Feature):
         return bisect_right(breaks, zero.root.low) - 1, 0 if zero.at_knot else 1
-    return (zero.knot, 0) if isinstance(zero, Jump) else (zero.segment, 1 + zero.low)
+    return zero.knot, 0
