@@ -445,7 +445,7 @@ static int filtered(const Program *program, double *data, int segments, double *
 
 /* Run a program on the segments of a curve and find the zeros of its outputs except the last, which must have none.
 
-   data: for every operand, segment and coefficient an integer, rounded, and then the denominators of the segments; where
+   data: for every operand, segment and coefficient a number, rounded, and then the denominators of the segments; where
    the program is `rational` the last operand is a weight function, which must have one sign. It is overwritten.
    found: what is said of any segment and knot, the seam apart, and the number of zeros of every output except the last. Then for every segment what
    is said of it; for every output the ordinates at both ends, each followed by the bound of its error; and the weight
@@ -718,8 +718,8 @@ static int rounded(const Program *program, const double *data, const double *res
 
 /* The doubles nearest to the parameters of zeros that `filter_curve` has found.
 
-   data: for every operand, segment and coefficient an integer, rounded, from the segment of the first of these zeros on.
-   rest: the differences from the integers, each rounded once; absent where there are none.
+   data: for every operand, segment and coefficient a number, rounded, from the segment of the first of these zeros on.
+   rest: the differences from the numbers, each rounded once; absent where there are none.
    zeros: as in `filter_curve`.
    ends, off: for each end of a segment a double near its parameter, and the difference from it, rounded once.
    nearest: for each zero the double; not a number where it is not certain.

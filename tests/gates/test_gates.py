@@ -304,7 +304,6 @@ ROUNDED = {
     "extras/cad/rhino.py: _write": "writes a file of doubles, and names the numbers that are rounded",
     "extras/cad/rhino_process.py: _hex": "doubles of a file, bit by bit",
     "programs/accelerator.py: nearest": "the certified filter",
-    "programs/accelerator.py: _rest": "the same, with what rounding leaves",
     "programs/certain_pairs.py: segment_in_doubles": "the certified filter",
     "programs/certain_pairs.py: precise_table_of": "the same, with what rounding leaves",
     "programs/error_bounds.py: factors": "the certified filter",

@@ -2,6 +2,7 @@
 
 import random
 from fractions import Fraction
+from math import comb
 
 import pytest
 from gmpy2 import mpq
@@ -72,9 +73,9 @@ def curves():
                 yield degree, knots, [points[0], Direction(*points[1]), *points[2:]], [weights[0], 0, *weights[2:]]
 
 
-@pytest.mark.skipif(evaluation._in_c() is None, reason="there is no extension here")
+@pytest.mark.skipif(evaluation._in_c("curve_points") is None, reason="there is no extension here")
 def test_many_points_in_c_are_those_without(monkeypatch):
-    chance, in_c, calls = random.Random(3), evaluation._in_c(), []
+    chance, in_c, calls = random.Random(3), evaluation._in_c("curve_points"), []
     counted = lambda *given: calls.append(len(given)) or in_c(*given)  # noqa: E731  # one expression
     for data in curves():
         curve, again = Nurbs(*data), Nurbs(*data)
@@ -82,14 +83,44 @@ def test_many_points_in_c_are_those_without(monkeypatch):
         ts = parameters(curve, chance, 1000)
         doubles = [*[float(t) for t in ts[-20:]], float(a), float(b)]
         for side in Side:
-            monkeypatch.setattr(evaluation, "_in_c", lambda: counted)
+            monkeypatch.setattr(evaluation, "_in_c", lambda *_: counted)
             points, found = curve.points_at(ts, side), curve.floats(doubles, side=side).tolist()
-            monkeypatch.setattr(evaluation, "_in_c", lambda: None)
+            monkeypatch.setattr(evaluation, "_in_c", lambda *_: None)
             assert points == again.points_at(ts, side)
             assert found == again.floats(doubles, side=side).tolist()
             exact = again.points_at([mpq(*t.as_integer_ratio()) for t in doubles], side)
             assert found == [[int(x.numerator) / int(x.denominator) for x in point] for point in exact]
     assert len(calls) > 40
+
+
+def moved(curve):
+    """The quotients of the integers of every segment, moved to the origin, and of its denominator."""
+    binomials = [comb(curve.degree, k) for k in range(curve.degree + 1)]
+    for rows, below in curve.rows:
+        *coordinates, w = rows if not curve.polynomial else (*rows, binomials)
+        parts = [[x * w[0] - c[0] * y for x, y in zip(c, w, strict=True)] for c in coordinates]
+        parts += [] if curve.polynomial else [[y * w[0] for y in w]]
+        yield [[mpq(int(x), int(below * w[0])) for x in part] for part in parts]
+
+
+@pytest.mark.skipif(evaluation._in_c("curve_points") is None, reason="there is no extension here")
+@pytest.mark.parametrize("run", [1, 512])
+def test_forms_in_c_are_the_first_bits_of_the_moved_integers(run, monkeypatch):
+    """With weights for C, and without them: knots of 17 digits have none."""
+    monkeypatch.setattr(evaluation, "RUN", run)
+    irregular = [0] * 4 + [mpq(k) / 3 + mpq(0.1) ** k for k in (1, 2)] + [3] * 4
+    for degree, knots, *data in [*curves(), (3, irregular, [(k, mpq(0.7) ** k) for k in range(6)], None)]:
+        curve = Nurbs(degree, knots, *data)
+        near, rest = [[mpq(x) for x in own] for own in curve.evaluation.forms(0, curve.segments)]
+        exact, count = list(moved(curve)), curve.segments
+        for segment, below in enumerate(range(len(near) - count, len(near))):
+            assert 1 <= abs(near[below]) < 2 >= abs(rest[below]) * 2**52
+            for c, part in enumerate(exact[segment]):
+                for i, x in enumerate(part):
+                    k = (c * count + segment) * (degree + 1) + i
+                    whole = x * (near[below] + rest[below])
+                    assert abs(near[k] - whole) * 2**52 < abs(whole) * (1 + mpq(1, 2**40)) or near[k] == whole == 0
+                    assert abs(near[k] + rest[k] - whole) * 2**102 <= abs(whole)
 
 
 WHOLE = 2**53 + 1
