@@ -51,8 +51,9 @@ def findings(claims: Iterable[Claim]) -> dict[tuple[str, str], Finding]:
     the record; the kernel rejects a false theorem.
     """
     claims = list(claims)
-    requested = {(claim.paper, claim.key) for claim in claims}
-    made, installed = library(), bool(shutil.which("coqc"))
+    requested = {(claim.paper, claim.key) for claim in claims if claim.source_paper.package}
+    # no theorem is about a user's folder
+    made, installed = library() if requested else Library({}, {}), bool(shutil.which("coqc"))
     chosen = {
         name: tuple(each for each in own if (each.claim.paper, each.claim.key) in requested)
         for name, own in made.theorems.items()
