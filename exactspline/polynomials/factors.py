@@ -23,7 +23,15 @@ from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly, fmpz_
 from exactspline.errors import ReachError, counted
 from exactspline.numbers.exact import PRIME, common_divisor
 from exactspline.one_line import OneLine
-from exactspline.polynomials.cost import LONGEST, LONGEST_LOOP, REMEDY, affords, check_reach, height_bits
+from exactspline.polynomials.cost import (
+    LONGEST,
+    LONGEST_LOOP,
+    REMEDY,
+    affords,
+    check_reach,
+    height_bits,
+    look_at_the_time,
+)
 
 # ---- products of powers
 
@@ -333,6 +341,7 @@ def _divisor_of_two(p: G, q: G) -> G:
 
 def _divisor_in_many(p: fmpq_mpoly, q: fmpq_mpoly) -> fmpq_mpoly:
     if len(p) == 1 or len(q) == 1:
+        look_at_the_time()
         return p.gcd(q)
     first, second, terms = _degrees(p), _degrees(q), len(p) + len(q)
     cost = terms * DIVISOR_TERM * (1 + max(_bits(p), _bits(q)) // DIVISOR_BITS)

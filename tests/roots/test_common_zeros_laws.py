@@ -3,7 +3,7 @@ parameters, reflection and restriction; multiplicities are dimensions of local a
 """
 
 import pickle
-from itertools import product
+from itertools import cycle, product
 from random import Random
 
 import pytest
@@ -26,8 +26,8 @@ from tests.support.local_algebra import local_dimension
 
 def pairs(seed, count):
     """Pairs without a common factor, of all families of the campaign."""
-    for k in range(count):
-        f, g = FAMILIES[k % len(FAMILIES)](Random(f"{seed} {k}"))
+    for k, family in zip(range(count), cycle(FAMILIES.values())):
+        f, g = family(Random(f"{seed} {k}"))
         if f and g and f.gcd(g).total_degree() == 0:
             yield f, g
 
