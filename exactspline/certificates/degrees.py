@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactspline.certificates.numbers import CertificateError, count, each, integer, one_of, optional, read, require
+from exactspline.certificates.zeros import product_of
 
 Polynomial = list[int]
 QUOTIENT, ZERO_SET = "quotient", "zero set"
@@ -105,11 +106,7 @@ def _add(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
 
 
 def _times(a: Polynomial, b: Polynomial, p: int) -> Polynomial:
-    product = [0] * max(len(a) + len(b) - 1, 0)
-    for i, x in enumerate(a):
-        for j, y in enumerate(b):
-            product[i + j] += x * y
-    return _trimmed([x % p for x in product])
+    return _trimmed([x % p for x in product_of(a, b)]) if a and b else []
 
 
 def _remainder(a: Polynomial, f: Polynomial, p: int) -> Polynomial:

@@ -109,25 +109,26 @@ def optional(form: object) -> Callable[[object], object]:
     return lambda given: None if given is None else read(given, form)
 
 
+def _of_type(given: object, kind: type[Found], flaw: str) -> Found:
+    """What is given, of exactly this type."""
+    if not isinstance(given, kind) or type(given) is not kind:
+        raise CertificateError(flaw)
+    return given
+
+
 def count(given: object) -> int:
     """A count, given as an integer."""
-    if type(given) is not int:
-        raise CertificateError("not an integer, where one is counted")
-    return given
+    return _of_type(given, int, "not an integer, where one is counted")
 
 
 def truth(given: object) -> bool:
     """True or false."""
-    if type(given) is not bool:
-        raise CertificateError("neither true nor false")
-    return given
+    return _of_type(given, bool, "neither true nor false")
 
 
 def text(given: object) -> str:
     """A text."""
-    if type(given) is not str:
-        raise CertificateError("not a text")
-    return given
+    return _of_type(given, str, "not a text")
 
 
 def integer(given: object) -> int:
@@ -143,9 +144,7 @@ def integer(given: object) -> int:
 
 
 def _number(given: object) -> str:
-    if type(given) is not str:
-        raise CertificateError("a number that is not written as text")
-    return given
+    return _of_type(given, str, "a number that is not written as text")
 
 
 def _value(digits: str) -> int:

@@ -5,11 +5,12 @@ forked child has only one of the threads of its parent, and would wait forever f
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from contextvars import ContextVar
 from os import getpid
 from threading import RLock
-from typing import TYPE_CHECKING, Any, NoReturn, Self
+from typing import TYPE_CHECKING, Any, NoReturn, Self, TypeVar
 
 __all__ = ["Lock", "cached_property"]
 
@@ -54,6 +55,27 @@ class Lock:
         if self._process != getpid():
             self._lock, self._process = RLock(), getpid()
         return self._lock
+
+
+V = TypeVar("V")
+
+
+@contextmanager
+def while_set(variable: ContextVar[V], value: V) -> Iterator[V]:
+    """A context in which a variable has a value; afterwards it has again the one that it had before.
+
+    >>> depth = ContextVar("depth", default=0)
+    >>> with while_set(depth, 1):
+    ...     depth.get()
+    1
+    >>> depth.get()
+    0
+    """
+    token = variable.set(value)
+    try:
+        yield value
+    finally:
+        variable.reset(token)
 
 
 # ---- values that do not change

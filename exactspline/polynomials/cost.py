@@ -16,6 +16,7 @@ from typing import Any, Generic, ParamSpec, TypeVar
 from flint import fmpq, fmpz, fmpz_poly
 
 from exactspline.errors import ReachError, as_integer
+from exactspline.numbers.once import while_set
 
 V = TypeVar("V")
 P = ParamSpec("P")
@@ -93,11 +94,8 @@ class Priced(Generic[V]):
 
     def __init__(self, compute: Callable[[], V]) -> None:
         self.cost, self.uses = 0, set[Priced[Any]]()
-        token = _COMPUTED.set(self)
-        try:
+        with while_set(_COMPUTED, self):
             self._value = compute()
-        finally:
-            _COMPUTED.reset(token)
         if budget := _BUDGET.get():
             budget.paid.add(self)
 
@@ -138,12 +136,8 @@ _COMPUTED: ContextVar[Priced[Any] | None] = ContextVar("computed", default=None)
 @contextmanager
 def drawing_on(budget: Budget) -> Iterator[Budget]:
     """A context in which all estimates are deducted from one budget."""
-    token, within = _BUDGET.set(budget), _COMPUTED.set(None)
-    try:
+    with while_set(_BUDGET, budget), while_set(_COMPUTED, None):
         yield budget
-    finally:
-        _BUDGET.reset(token)
-        _COMPUTED.reset(within)
 
 
 @contextmanager
@@ -169,15 +163,13 @@ def within_seconds(limit: float | None) -> Iterator[None]:
     Raises `ReachError` when the time is over.
     """
     seconds = limit if limit is None or isinstance(limit, float) else as_integer(limit, "a number of seconds", 0)
-    token = _END.set(None if seconds is None else thread_time() + seconds)
     try:
-        yield
+        with while_set(_END, None if seconds is None else thread_time() + seconds):
+            yield
     except _TimeIsUp:
         raise ReachError(
             f"not decided within {limit} s of processor time", remedy="raise the limit", seconds=limit
         ) from None
-    finally:
-        _END.reset(token)
 
 
 def look_at_the_time() -> None:

@@ -93,10 +93,7 @@ class Degree(RingOperand, PartlyOrdered):
         """The degree after elevation: the larger of the two."""
         return self._made(self.terms | other.terms, self.provenance, self.still)
 
-    def __add__(self, other: object) -> Degree:
-        right = self.coerced(other)
-        if right is None:
-            return NotImplemented
+    def _plus(self, right: Degree) -> Degree:
         provenance = (SUM, self.provenance, right.provenance)
         return self._made(self.terms | right.terms, provenance, self.still and right.still)
 

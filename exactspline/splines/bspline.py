@@ -114,10 +114,6 @@ class BSpline(Immutable, Refinable, RingOperand, FunctionsOutside):
         provenance = leaf() if provenance is None else provenance
         return from_parts(degree, mesh, continuity, polynomials, denominators, provenance, knots, points)
 
-    def over_forms(self, mesh: Mesh, forms: Iterable[Form]) -> BSpline:
-        """Return this spline with other forms and denominators. The caller ensures that the functions are the same."""
-        return BSpline.from_forms(self.degree, mesh, self.continuity, forms, self.provenance, *self._known())
-
     def _known(self) -> tuple[KnotVector | None, tuple[mpq, ...] | None]:
         """The knots and the control points, as far as they are known."""
         return getattr(self, "_knots", None), getattr(self, "_points", None)

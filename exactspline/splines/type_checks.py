@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
 from exactspline.errors import ShapeError, a_kind, as_instance
+from exactspline.language.arguments import Curve
 from exactspline.language.rational import Rational
 from exactspline.language.vector import Vector
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import NurbsSurface
+
+C = TypeVar("C", bound=Curve[Any])
 
 
 def of_file(given: object) -> object:
@@ -36,6 +39,20 @@ def curve_of(given: object) -> Nurbs:
         problem = f"{a_kind(given)} of splines, where a curve is expected"
         raise ShapeError(problem, remedy="Nurbs.from_splines(numerator, denominator) makes the curve of a quotient")
     return as_instance(given, Nurbs, "a curve", 'give a Nurbs, such as exactspline.example("circle")')
+
+
+def of_dimension(curve: C, remedy: str, *dimensions: int, what: str = "a curve") -> C:
+    """The curve itself; raises `ShapeError` with this remedy for a curve of another dimension."""
+    if curve.dimension not in dimensions:
+        raise ShapeError(f"{what} in R{curve.dimension}", remedy=remedy)
+    return curve
+
+
+def in_plane_or_space(given: object, what: str) -> Nurbs:
+    """The curve of `curve_of`; raises `ShapeError` for one that is neither in the plane nor in space, where there is no
+    such thing.
+    """
+    return of_dimension(curve_of(given), "this needs a curve in the plane or in space", 2, 3, what=what)
 
 
 def spline_of(given: object) -> BSpline:

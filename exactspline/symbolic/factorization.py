@@ -21,7 +21,7 @@ from exactspline.language.ruled import Value, split
 from exactspline.language.surface_kind import BOTH
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import content, from_flint, mpq, sign, to_fmpq
-from exactspline.numbers.once import Lock
+from exactspline.numbers.once import Lock, while_set
 from exactspline.one_line import OneLine
 from exactspline.papers import Paper, default_papers, formula_of
 from exactspline.polynomials.cost import Budget, Priced, drawing_on
@@ -139,11 +139,8 @@ def sharing(jets: SharedJets | None = None) -> Iterator[None]:
     that a formula is computed once for many proofs.
     """
     shared = _SHARED.get() if jets is None else jets
-    token = _SHARED.set({} if shared is None else shared)
-    try:
+    with while_set(_SHARED, {} if shared is None else shared):
         yield
-    finally:
-        _SHARED.reset(token)
 
 
 def without_denominator(formulas: Iterable[Formula], factor: str, dimension: int) -> bool:
@@ -329,11 +326,8 @@ def naming() -> tuple[Paper, ...]:
 @contextmanager
 def named_by(source: Paper) -> Iterator[None]:
     """A context in which factors have the names given by a paper."""
-    token = _NAMED_BY.set(source)
-    try:
+    with while_set(_NAMED_BY, source):
         yield
-    finally:
-        _NAMED_BY.reset(token)
 
 
 @cache

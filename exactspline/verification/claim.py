@@ -623,3 +623,13 @@ class Claim(Immutable, Displayed):
             for surface in one_patch_surfaces():
                 if self.applies_to(surface.dimension, surface.polynomial, surface=True):
                     yield True, surface.name, surface
+
+
+@claim_kind
+class TwoSided(Claim):
+    """A claim about two formulas, its left and its right side."""
+
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+
+    left: Name = field(metadata=read(formula_name))
+    right: Name = field(metadata=read(formula_name))

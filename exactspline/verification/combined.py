@@ -8,6 +8,7 @@ from contextvars import ContextVar
 from typing import TypeVar
 
 from exactspline.errors import ClaimError, ExactSplineError
+from exactspline.numbers.once import while_set
 from exactspline.papers import papers
 from exactspline.papers.folder import Paper
 from exactspline.polynomials.cost import Budget, drawing_on
@@ -87,12 +88,8 @@ def computed_once(proofs: Proofs | None = None) -> Iterator[None]:
     if _RUN.get() is not None:
         yield
         return
-    token = _RUN.set(proofs or Proofs())
-    try:
-        with sharing_evaluations():
-            yield
-    finally:
-        _RUN.reset(token)
+    with while_set(_RUN, proofs or Proofs()), sharing_evaluations():
+        yield
 
 
 def proofs_of_this_run() -> Proofs:

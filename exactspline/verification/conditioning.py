@@ -18,7 +18,7 @@ from sys import float_info
 
 from flint import fmpz, fmpz_poly
 
-from exactspline.errors import FormulaError, ShapeError, counted
+from exactspline.errors import FormulaError, counted
 from exactspline.geometry.derived.constructions import Variant, construction
 from exactspline.numbers.exact import from_float, iroot, mpq, mpz, text
 from exactspline.numbers.intervals import Interval
@@ -27,6 +27,7 @@ from exactspline.roots.root import Root
 from exactspline.roots.zero_set import ZeroSet, zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import of_dimension
 
 # ---- condition numbers
 
@@ -286,8 +287,7 @@ def conditioning(curve: Nurbs, name: str = "critical_curvature", *, doubles: boo
     made = construction(name)
     if not made.zero_set:
         raise FormulaError(f"{name} is not a zero set", remedy="choose zero_curvature or critical_curvature")
-    if curve.dimension != 2:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
+    of_dimension(curve, "this needs a curve in the plane", 2)
     splines = {form: made.form_on(curve, form) for form in (*made.unlifted, Variant.MINIMAL)}
     zeros_by_form = {form: zeros(f) for form, f in splines.items()}
     minimal = zeros_by_form[Variant.MINIMAL]

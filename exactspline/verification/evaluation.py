@@ -39,7 +39,7 @@ from exactspline.language.kinds import (
 from exactspline.language.vector import Vector
 from exactspline.numbers.exact import mpq, to_fmpq
 from exactspline.numbers.intervals import Interval
-from exactspline.numbers.once import cached_property
+from exactspline.numbers.once import cached_property, while_set
 from exactspline.polynomials.isolation import zero_on_segment
 from exactspline.readings.degree import DegreeReading
 from exactspline.readings.jet import JetFraction, JetRing
@@ -267,11 +267,8 @@ _SHARED: ContextVar[dict[int, Evaluation] | None] = ContextVar("shared evaluatio
 @contextmanager
 def sharing_evaluations() -> Iterator[None]:
     """A context in which each curve has one evaluation."""
-    token = _SHARED.set({})
-    try:
+    with while_set(_SHARED, {}):
         yield
-    finally:
-        _SHARED.reset(token)
 
 
 def evaluation(curve: Nurbs | NurbsSurface | Operands | Evaluation) -> Evaluation:

@@ -6,7 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import cast
 
-from exactspline.errors import DomainError, ShapeError
+from exactspline.errors import DomainError
 from exactspline.geometry.analysis.curves import Analysis, analyse, questions_about
 from exactspline.geometry.curves.joints import Joint
 from exactspline.geometry.curves.kinds import Feature, JointKind
@@ -26,7 +26,7 @@ from exactspline.roots.answers import CurvePiece, Places
 from exactspline.roots.zero_set import ZeroSet
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import in_plane_or_space
 
 # ---- prominence
 
@@ -45,10 +45,7 @@ def _prominences(curve: Nurbs) -> tuple[tuple[Feature, Real | None], ...]:
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
-    given = curve_of(curve)
-    if given.dimension not in (2, 3):
-        problem = f"prominences of a curve in R{given.dimension}"
-        raise ShapeError(problem, remedy="this needs a curve in the plane or in space")
+    given = in_plane_or_space(curve, "prominences of a curve")
     facts = analyse(given)
     ends = [*map(real, given.domain), *[real(x.parameter) for x in facts.joints if x.kind is not JointKind.CONTINUOUS]]
     extrema = facts.curvature_extrema

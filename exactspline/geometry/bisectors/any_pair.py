@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import overload
 
-from exactspline.errors import ShapeError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_curves import PlaneBisector
 from exactspline.geometry.bisectors.point_and_curve import PointBisector, point_bisector
@@ -14,7 +13,7 @@ from exactspline.geometry.bisectors.two_curves import CurveBisector, curve_bisec
 from exactspline.geometry.curves.planarity import in_one_plane
 from exactspline.numbers.exact import Number
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 
 
 @overload
@@ -52,6 +51,4 @@ def bisector(first: Nurbs, second: Nurbs | Iterable[Number]) -> Bisector:
         return PlaneBisector(first, second) if first.dimension == 2 else curve_bisector(first, second)
     if first.dimension == 3:
         return point_bisector(first, second)
-    if first.dimension != 2:
-        raise ShapeError(f"a curve in R{first.dimension}", remedy="bisectors need the plane or space")
-    return trimmed_bisector(first, second)
+    return trimmed_bisector(of_dimension(first, "bisectors need the plane or space", 2), second)

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from flint import fmpz, fmpz_mat, fmpz_mpoly
 
 from exactspline.bivariate.zeros import ZeroArc, ZeroCurves, zero_curve
-from exactspline.errors import ReachError, ShapeError
+from exactspline.errors import ReachError
 from exactspline.geometry.bisectors.common import Bisector
 from exactspline.geometry.bisectors.plane_pair import PlanePair, tangent
 from exactspline.geometry.bisectors.system import SegmentOfCurve, piece
@@ -35,7 +35,7 @@ from exactspline.roots.values import evaluate, exact_place, sign_at
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.surface import Along
 from exactspline.splines.tensor import TensorSpline
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 
 # ---- true pairs
 # Let B be the point on the normal at γ(s) that is equally far from γ(s) and γ̄(t): at the zeros of the function of the
@@ -293,8 +293,7 @@ class PlaneBisector(Bisector):
 
     def __init__(self, first: Nurbs, second: Nurbs) -> None:
         for curve in (curve_of(first), curve_of(second)):
-            if curve.dimension != 2:
-                raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves in the plane")
+            of_dimension(curve, "give curves in the plane", 2)
         self.curves = first, second
 
     @cached_property

@@ -27,7 +27,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import SplineSurface, common_factor
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 from exactspline.words import choice
 
 
@@ -162,8 +162,7 @@ def exact_point(curve: Curve[BSpline], point: Iterable[Number], dimension: int) 
     coordinates is wrong.
     """
     coordinates = tuple(rational(x) for x in as_items(point, "the coordinates of a point"))
-    if curve.dimension != dimension:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy=f"this needs a curve in R{dimension}")
+    of_dimension(curve, f"this needs a curve in R{dimension}", dimension)
     if len(coordinates) != dimension:
         raise ShapeError(
             f"a point of {counted(len(coordinates), 'coordinate')}", where="point", remedy=f"give {dimension}"

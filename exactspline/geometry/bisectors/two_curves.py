@@ -27,7 +27,7 @@ from exactspline.questions.entry import Answered, Fact, Inspected, Of, question
 from exactspline.splines.lowest_terms import surface_in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.tensor import TensorSpline, surface_pair
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 from exactspline.words import choice
 
 
@@ -184,11 +184,7 @@ def curve_bisector(
     chosen = choice(SurfaceVariant, variant, "variant")
     first, second = curve_of(first), curve_of(second)
     for c in (first, second):
-        if c.dimension != 3:
-            raise ShapeError(
-                f"a curve in R{c.dimension}",
-                remedy="use curves in space; bisector(first, second) of the library takes plane curves, too",
-            )
+        of_dimension(c, "use curves in space; bisector(first, second) of the library takes plane curves, too", 3)
     return CurveBisector(first, second, chosen)
 
 

@@ -16,7 +16,6 @@ from weakref import ref
 
 from flint import fmpz
 
-from exactspline.errors import ShapeError
 from exactspline.formulas.lifted import (
     binormal_lifted,
     critical_curvature_lifted,
@@ -63,6 +62,7 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.knots import intervals_of, runs
 from exactspline.splines.lowest_terms import SplineValue, common_factor
 from exactspline.splines.nurbs import Nurbs
+from exactspline.splines.type_checks import of_dimension
 from exactspline.words import choice
 
 F = TypeVar("F", bound=Remembers)
@@ -528,8 +528,7 @@ class Facts(Remembers):
 
     def check_dimension(self) -> None:
         """Raise `ShapeError` for a curve that is neither in the plane nor in space."""
-        if self.curve.dimension not in (2, 3):
-            raise ShapeError(f"a curve in R{self.curve.dimension}", remedy="give a curve in the plane or in space")
+        of_dimension(self.curve, "give a curve in the plane or in space", 2, 3)
 
 
 def _facts_again(make: Callable[..., Nurbs], *data: object) -> Facts:

@@ -38,7 +38,7 @@ from exactspline.splines.inputs import checked_side
 from exactspline.splines.knots import Mesh
 from exactspline.splines.lowest_terms import in_lowest_terms
 from exactspline.splines.nurbs import Nurbs, derivative_splines
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 
 
 def point_at(curve: Nurbs, place: mpq | Real, order: int = 0, side: Side | str = Side.RIGHT) -> tuple[Real, ...]:
@@ -156,10 +156,7 @@ def _curvature_near(curve: Nurbs, i: int, z: arb, place: Root) -> Real | None:
 
 def in_plane_or_space(curve: Nurbs) -> Nurbs:
     """A curve in the plane or in space; one in the plane z = 0 as a plane curve."""
-    curve = curve_of(curve)
-    if curve.dimension not in (2, 3):
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="curvature needs a curve in the plane or in space")
-    return in_the_plane(curve)
+    return in_the_plane(of_dimension(curve_of(curve), "curvature needs a curve in the plane or in space", 2, 3))
 
 
 def signed_square(curve: Nurbs, t: mpq, *, left: bool) -> tuple[int, int, int]:

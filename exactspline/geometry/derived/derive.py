@@ -33,7 +33,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms, true_degree
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 
 # ---- parts of the domain
 
@@ -60,16 +60,12 @@ def intervals_where(breaks: Sequence[mpq], holds: Sequence[bool]) -> list[Interv
 
 def plane(curve: C) -> C:
     """The curve itself if it is in the plane; raises `ShapeError` otherwise."""
-    if curve.dimension != 2:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in the plane")
-    return curve
+    return of_dimension(curve, "this needs a curve in the plane", 2)
 
 
 def space(curve: C) -> C:
     """The curve itself if it is in space; raises `ShapeError` otherwise."""
-    if curve.dimension != 3:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="this needs a curve in space")
-    return curve
+    return of_dimension(curve, "this needs a curve in space", 3)
 
 
 @dataclass(frozen=True)

@@ -65,7 +65,7 @@ from exactspline.roots.segment_forms import segment_forms
 from exactspline.roots.values import evaluate
 from exactspline.roots.vanishing import vanish_at
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 
 
 @dataclass(frozen=True, repr=False)
@@ -166,8 +166,7 @@ class _Search:
 
     def __init__(self, curves: tuple[Nurbs, Nurbs], distances: tuple[mpq, mpq], *, alone: bool = False) -> None:
         for curve in curves:
-            if curve_of(curve).dimension != 2:
-                raise ShapeError(f"a curve in R{curve.dimension}", remedy="offsets need curves in the plane")
+            of_dimension(curve_of(curve), "offsets need curves in the plane", 2)
         self.curves, self.distances, self.alone = curves, distances, alone
         self.undecided: list[str] = []
         self.points: list[OffsetIntersection] = []

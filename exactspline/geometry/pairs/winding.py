@@ -29,7 +29,7 @@ from exactspline.polynomials.zero_places import Place, at, places
 from exactspline.reals.real import Real
 from exactspline.roots.segment_forms import SegmentForms, root_at
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, of_dimension
 from exactspline.words import Word, choice
 
 
@@ -122,8 +122,7 @@ def _position(curves: Nurbs | Iterable[Nurbs], point: Iterable[Number]) -> int |
 
 
 def _check_closed_in_the_plane(curve: Nurbs) -> None:
-    if curve.dimension != 2:
-        raise ShapeError(f"a curve in R{curve.dimension}", remedy="give curves and a point in one plane")
+    of_dimension(curve, "give curves and a point in one plane", 2)
     if not curve.closed:
         raise ShapeError("a curve that is not closed", remedy="close it by a segment")
 

@@ -10,7 +10,6 @@ from functools import cache
 from itertools import chain, count, pairwise
 from operator import mul
 
-from exactspline.errors import ShapeError
 from exactspline.geometry.recognition.candidates import candidates, farthest, planes
 from exactspline.geometry.recognition.shapes import (
     Conic,
@@ -34,7 +33,7 @@ from exactspline.roots.zero_set import zeros
 from exactspline.splines.bspline import BSpline
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import in_plane_or_space
 
 # ---- proof
 
@@ -203,9 +202,7 @@ def recognized(curve: Nurbs, epsilon: Number | None = None) -> tuple[RecognizedP
     Raises `ShapeError` for a curve that is neither in the plane nor in space, and for an epsilon that is not positive.
     Theory: docs/rounded-input.md.
     """
-    given = curve_of(curve)
-    if given.dimension not in (2, 3):
-        raise ShapeError(f"shapes in R{given.dimension}", remedy="this needs a curve in the plane or in space")
+    given = in_plane_or_space(curve, "shapes")
     points = _points(given)
     limit = longest_side(points) * SMALL if epsilon is None else distance(epsilon, given)
     found = list(_pieces(given, points, limit, candidates))

@@ -16,7 +16,6 @@ from itertools import combinations, groupby, pairwise
 
 from flint import arb, ctx
 
-from exactspline.errors import ShapeError
 from exactspline.geometry.curves.kinds import FeatureKind
 from exactspline.geometry.curves.plane_programs import BENDING, CRITICAL, CURVATURE, SPEED, TORSION
 from exactspline.geometry.rounded.forms import PRECISION, CurvesNear, Family
@@ -29,7 +28,7 @@ from exactspline.questions.answers import Described
 from exactspline.roots.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import in_plane_or_space
 
 #: The narrowest part of a segment that is examined, in bits.
 NARROWEST = 40
@@ -118,11 +117,7 @@ def singular_points_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyFeature
 
 
 def _near(curve: Nurbs, epsilon: Number) -> _Features:
-    given = curve_of(curve)
-    if given.dimension not in (2, 3):
-        raise ShapeError(
-            f"curves near a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
-        )
+    given = in_plane_or_space(curve, "curves near a curve")
     return _Features(given, distance(epsilon, given))
 
 

@@ -31,7 +31,7 @@ from exactspline.reals.real import Real, real
 from exactspline.roots.answers import CurvePiece
 from exactspline.splines.nurbs import Nurbs
 from exactspline.splines.precision import distance
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import curve_of, in_plane_or_space
 
 #: The number of pairs of parts examined, in all and on one level of halving, in addition to the pairs of segments; the
 #: pairs that remain then, as where curves coincide along an arc, are reported as not robust.
@@ -112,9 +112,7 @@ def self_intersections_nearby(curve: Nurbs, epsilon: Number) -> tuple[NearbyMeet
 
     Raises `ShapeError` like `intersections_nearby`.
     """
-    given = curve_of(curve)
-    if given.dimension not in (2, 3):
-        raise ShapeError(f"common points in R{given.dimension}", remedy="this needs a curve in the plane or in space")
+    given = in_plane_or_space(curve, "common points")
     with ctx.workprec(PRECISION):
         one = _Tangled(given, distance(epsilon, given))
         return _Meetings(one, one, _near(one.parts, None)).found()

@@ -35,7 +35,7 @@ from exactspline.questions.answers import Described
 from exactspline.reals.real import Real, real
 from exactspline.roots.answers import CurvePiece, OneNumber
 from exactspline.splines.nurbs import Nurbs
-from exactspline.splines.type_checks import curve_of
+from exactspline.splines.type_checks import in_plane_or_space
 
 EXTREMA = FeatureKind.MAXIMUM, FeatureKind.MINIMUM
 #: The kinds of features by the dimension, each with the construction whose zeros they are, and its form.
@@ -107,11 +107,7 @@ def stability(curve: Nurbs) -> tuple[StableFeature, ...]:
 
     Raises `ShapeError` for a curve that is neither in the plane nor in space.
     """
-    given = curve_of(curve)
-    if given.dimension not in FORMS:
-        raise ShapeError(
-            f"the stability of a curve in R{given.dimension}", remedy="this needs a curve in the plane or in space"
-        )
+    given = in_plane_or_space(curve, "the stability of a curve")
     positive = with_positive_weights(given)
     facts, radii = SpaceFacts(positive), _Radii(positive)
     with ctx.workprec(PRECISION):

@@ -18,7 +18,7 @@ from exactspline.readings.jet import Jet, RationalJetReading
 from exactspline.splines.tensor import TensorSpline
 from exactspline.symbolic.factorization import Factor, jets_for, without_denominator
 from exactspline.verification import phrases as say
-from exactspline.verification.claim import Claim, claim_kind, formula_name, read
+from exactspline.verification.claim import Claim, TwoSided, claim_kind, formula_name, read
 from exactspline.verification.decision import (
     DirectrixOf,
     Equation,
@@ -77,16 +77,13 @@ class _EqualityClaim(Claim):
 
 
 @claim_kind
-class Identity(_EqualityClaim):
+class Identity(TwoSided, _EqualityClaim):
     """``left = factor · right``."""
 
     kind: ClassVar[str] = "identity"
     value: ClassVar[str] = "$factor"
-    sides: ClassVar[tuple[str, ...]] = ("left", "right")
     of_frames: ClassVar[bool] = True
 
-    left: Name = field(metadata=read(formula_name))
-    right: Name = field(metadata=read(formula_name))
     factor: str = field(default="1", metadata=read(checked_factor))
 
     @property
@@ -175,7 +172,7 @@ class Vanishing(_EqualityClaim):
 
 
 @claim_kind
-class SameSurface(_EqualityClaim):
+class SameSurface(TwoSided, _EqualityClaim):
     """The ruled surfaces ``left`` and ``right`` are equal: their generators are parallel, and their directrices differ
     by a multiple of these.
     """
@@ -183,10 +180,6 @@ class SameSurface(_EqualityClaim):
     kind: ClassVar[str] = "same surface"
     value: ClassVar[str] = "one surface"
     notation: ClassVar[str] = r"$left \;\text{and}\; $right \;\text{are one surface}"
-    sides: ClassVar[tuple[str, ...]] = ("left", "right")
-
-    left: Name = field(metadata=read(formula_name))
-    right: Name = field(metadata=read(formula_name))
 
     @property
     def equality(self) -> Statement:

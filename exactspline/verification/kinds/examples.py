@@ -20,7 +20,16 @@ from exactspline.splines.bspline import BSpline
 from exactspline.splines.lowest_terms import control_point_count, in_lowest_terms
 from exactspline.splines.nurbs import Nurbs
 from exactspline.verification import phrases as say
-from exactspline.verification.claim import Claim, claim_kind, example_name, formula_name, numbers, one_of, read
+from exactspline.verification.claim import (
+    Claim,
+    TwoSided,
+    claim_kind,
+    example_name,
+    formula_name,
+    numbers,
+    one_of,
+    read,
+)
 from exactspline.verification.evaluation import Evaluation, place_between
 from exactspline.verification.evidence import Conditions, Enclosure, Evidence, Fact
 from exactspline.verification.verdict import REFUTED, UNDECIDED, VERIFIED, Finding, vacuous
@@ -205,7 +214,7 @@ def _cusps(formula: Formula, own: Evaluation) -> int:
 
 
 @claim_kind
-class Condition(ExampleClaim):
+class Condition(TwoSided, ExampleClaim):
     """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
     condition number: a relative change of its Bernstein coefficients moves the zero less.
     """
@@ -213,10 +222,6 @@ class Condition(ExampleClaim):
     kind: ClassVar[str] = "condition"
     value: ClassVar[str] = "better at every common zero"
     notation: ClassVar[str] = r"$left \;\text{is better conditioned than}\; $right"
-    sides: ClassVar[tuple[str, ...]] = ("left", "right")
-
-    left: Name = field(metadata=read(formula_name))
-    right: Name = field(metadata=read(formula_name))
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding; undecided if the enclosures of two condition numbers overlap."""

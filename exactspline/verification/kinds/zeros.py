@@ -48,7 +48,7 @@ from exactspline.verification import phrases as say
 from exactspline.verification.claim import Claim, claim_kind, formula_name, formula_names, one_of, read
 from exactspline.verification.decision import SquaresAddUp, common_zeros, extra_zero
 from exactspline.verification.evaluation import Evaluation, evaluation, zero_of
-from exactspline.verification.evidence import At, Fact, OnExample, Place, Said, ZeroAt
+from exactspline.verification.evidence import At, Evidence, Fact, OnExample, Place, Said, ZeroAt
 from exactspline.verification.generic_proof import factor_of
 from exactspline.verification.kinds.equality import checked_factor
 from exactspline.verification.notation import factor_formulas, factor_of_text, factor_parts
@@ -451,9 +451,7 @@ class SignClaim(Claim):
                     return finding
                 zero_free = _ZeroFree((formula, *squares, *named), c, dimension, self.assumes)
                 return self._strict([square(c) for square in squares], c, zero_free)
-        refuted = self.refuted_on_examples()
-        reason = Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
+        return self._refuted_or_undecided(Fact.OTHER_SQUARES if squares else Fact.NO_SQUARES)
 
     def _strict(self, squares: list[Any], c: Any, zero_free: _ZeroFree) -> Finding:
         """The factor, and one of the squares, have no zeros."""
@@ -462,9 +460,12 @@ class SignClaim(Claim):
         first, *others = [_may_vanish(Factor(f.constant, f.powers.above, f.ring), zero_free) for f in factors if f]
         if not first and not all(others):
             return Finding(PROVED, Fact.SQUARES_ONE_WITHOUT_ZERO, assumptions=tuple(dict.fromkeys(zero_free.used)))
+        return self._refuted_or_undecided(_excluded_by(first or others[0], above.ring, self.find))
+
+    def _refuted_or_undecided(self, reason: Evidence) -> Finding:
+        """What an example refutes; otherwise the sign is undecided, with this reason."""
         refuted = self.refuted_on_examples()
-        guilty = _excluded_by(first or others[0], above.ring, self.find)
-        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=guilty)
+        return refuted if refuted.verdict == REFUTED else Finding(UNDECIDED, witness=reason)
 
     def examine(self, argument: Evaluated, own: Evaluation) -> Finding:
         """The finding, segment by segment: there is no root at which the sign changes, and one value has that sign."""
