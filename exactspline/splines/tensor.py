@@ -112,10 +112,12 @@ def _exchanged(meshes: tuple[Mesh, Mesh]) -> tuple[Mesh, Mesh]:
     return with_names((meshes[1], meshes[0]), None if letters is None else (letters[1], letters[0]))
 
 
-def _one_parameter(a: Profile, b: Profile) -> tuple[int, BSpline, BSpline] | None:
+def _one_parameter(a: Profile | None, b: Profile | None) -> tuple[int, BSpline, BSpline] | None:
     """The direction and the splines of two profiles that depend on the same parameter only; a constant counts for
     either parameter.
     """
+    if a is None or b is None:
+        return None
     (i, f), (j, g) = a, b
     if i == j:
         return i, f, g
@@ -190,18 +192,9 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
         bezier = zip(*[[x for part in row.bezier_points for x in part] for row in along_t], strict=True)
         along_s = [BSpline(degree.s, vectors[0], column) for column in bezier]
         stride = tensor_bernstein.stride_for(degree.s)
-        forms = [_from_net(net, stride) for net in _bezier_nets(degree, along_s)]
-        fill(
-            self,
-            degree=degree,
-            meshes=(along_s[0].mesh, along_t[0].mesh),
-            continuity=(along_s[0].continuity, along_t[0].continuity),
-            provenance=leaf(),
-            stride=stride,
-            profile=None,
-            _packed={stride: tuple(c for c, _ in forms)},
-            _denominators=tuple(d for _, d in forms),
-        )
+        numerators, denominators = zip(*[_from_net(net, stride) for net in _bezier_nets(degree, along_s)], strict=True)
+        meshes, continuity = zip(*[(line[0].mesh, line[0].continuity) for line in (along_s, along_t)], strict=True)
+        make(degree, meshes, continuity, stride, numerators, denominators, leaf(), self)
 
     def __reduce__(self) -> tuple[object, ...]:
         if self.profile is not None:
@@ -283,11 +276,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
             return refused
         a, b = (self, right) if self.meshes is right.meshes else aligned(self, right)
         stride = a.stride if a.stride >= b.stride else b.stride
-        if (
-            a.profile is not None
-            and b.profile is not None
-            and (shared := _one_parameter(a.profile, b.profile)) is not None
-        ):
+        if shared := _one_parameter(a.profile, b.profile):
             return lifted(operation(shared[1], shared[2]), a.meshes, shared[0], stride)
         degree = a.degree
         if degree == b.degree:
@@ -314,11 +303,7 @@ class TensorSpline(Immutable, TensorParts, RingOperand, FunctionsOutside):
             return self.scaled(other) if isinstance(other, CONSTANTS) else NotImplemented
         a, b = (self, other) if self.meshes is other.meshes else aligned(self, other)
         stride = a.stride if a.stride >= b.stride else b.stride
-        if (
-            a.profile is not None
-            and b.profile is not None
-            and (shared := _one_parameter(a.profile, b.profile)) is not None
-        ):
+        if shared := _one_parameter(a.profile, b.profile):
             return lifted(shared[1] * shared[2], a.meshes, shared[0], stride)
         (m, n), (k, h) = a.degree, b.degree
         if m + k >= stride:
@@ -507,9 +492,12 @@ def make(
     polynomials: tuple[fmpz_poly, ...],
     denominators: tuple[fmpz, ...],
     provenance: Provenance,
+    made: TensorSpline | None = None,
 ) -> TensorSpline:
-    """The spline with these packed polynomials; the caller is responsible for the continuity."""
-    spline: TensorSpline = _new(TensorSpline)
+    """The spline with these packed polynomials, set in `made` if one is given; the caller is responsible for the
+    continuity.
+    """
+    spline: TensorSpline = _new(TensorSpline) if made is None else made
     _set_degree(spline, degree)
     _set_meshes(spline, meshes)
     _set_continuity(spline, continuity)

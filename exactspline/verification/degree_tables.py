@@ -239,15 +239,10 @@ class GenericRow:
 
 def generic_table(*, polynomial: bool = False) -> list[Callable[[], GenericRow]]:
     """The rows for all constructions and for the generators of ruled surfaces, as calls."""
-    constructions: list[Callable[[], GenericRow]] = [
-        partial(_generic_row, c, polynomial) for c in all_constructions().values() if not c.ruled
-    ]
-    bisectors = [partial(_bisector_row, title, names, polynomial) for title, names in BISECTORS.items()]
-    return [
-        *constructions,
-        *[partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()],
-        *bisectors,
-    ]
+    rows: list[Callable[[], GenericRow]] = []
+    rows += [partial(_generic_row, c, polynomial) for c in all_constructions().values() if not c.ruled]
+    rows += [partial(_generator_row, title, names, polynomial) for title, names in GENERATORS.items()]
+    return rows + [partial(_bisector_row, title, names, polynomial) for title, names in BISECTORS.items()]
 
 
 #: By d the proved degree and that of a witness, None for an object that does not exist or vanishes.

@@ -328,13 +328,9 @@ class SpecialPairs(OneLine):
 
     def transposed(self) -> SpecialPairs:
         """The special pairs of the exchanged curves (without poles and branches)."""
-        return SpecialPairs(
-            tuple(x.transposed() for x in self.lines),
-            tuple(x.transposed() for x in self.planes),
-            tuple(x.transposed() for x in self.pairs),
-            (),
-            self.undecided,
-        )
+        own: dict[str, Any] = {"lines": self.lines, "planes": self.planes, "pairs": self.pairs}
+        turned = {name: tuple(x.transposed() for x in found) for name, found in own.items()}
+        return replace(self, **turned, poles=())
 
     def __add__(self, other: SpecialPairs) -> SpecialPairs:
         return SpecialPairs(*[getattr(self, each.name) + getattr(other, each.name) for each in fields(self)])

@@ -214,7 +214,7 @@ def _cusps(formula: Formula, own: Evaluation) -> int:
 
 
 @claim_kind
-class Condition(TwoSided, ExampleClaim):
+class Condition(ExampleClaim, TwoSided):
     """At every zero that ``left`` and ``right`` have in common on the curve ``example``, ``left`` has the smaller
     condition number: a relative change of its Bernstein coefficients moves the zero less.
     """
