@@ -915,7 +915,7 @@ static void expanded(const Matrix *matrix, Bare *minors, int *roundings) {
 }
 
 /* Numbers and masses stay below 2^200, and there are fewer than 2^20 operations: underflow loses less than this. */
-static const double LOST = 0x1p-700, SLACK = 1.0625;
+static const double LOST = 0x1p-600, SLACK = 1.0625;
 
 static void bounded(Form *form, int degree, const Bare *bare, int roundings) {
     ordinates(form, degree, bare->value, bare->mass, SLACK * roundings * ROUNDING, LOST);
